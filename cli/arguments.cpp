@@ -50,8 +50,9 @@ void check_arguments(const CLI::App& verb) {
     if (option->check_name("-o")) refuse_repeated(*option);
     for (const std::string& value : option->results()) {
       if (value.empty()) throw Stop(kUsage, option->get_name() + " is given as an empty text");
-      if (output) require(check_writable(value));
-      if (output) refuse_replaced_input(verb, value);
+      const bool file = output && !value.ends_with('/');  // verbs that write into a folder make it
+      if (file) require(check_writable(value));
+      if (file) refuse_replaced_input(verb, value);
       if (output || value != "-") continue;
       if (input_taken) throw Stop(kUsage, "standard input can be only one of the operands and files that are read");
       input_taken = true;

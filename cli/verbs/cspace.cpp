@@ -11,6 +11,7 @@
 #include "options.h"
 #include "outputs.h"
 #include "planar/cspace_outputs.h"
+#include "planar/cspace_slabs.h"
 #include "progress_bar.h"
 #include "record_json.h"
 #include "report.h"
@@ -28,7 +29,9 @@ struct CspaceCommand {
   double tolerance = 1e-3;
   std::size_t slices = 12;
   bool open = false;
-  double memory_mb = 0;  ///< 0: no limit
+  std::size_t slabs = 0;  ///< 0: the obstacle instead
+  double resolution = 0;  ///< of the maps of slabs; 0: chosen by their extent
+  double memory_mb = 0;   ///< 0: no limit
   ReportOptions report;
   InputOptions input;
 };
@@ -39,6 +42,13 @@ bool is_strip(const std::string& file) { return file.ends_with(".svg"); }
 
 void check(const CspaceCommand& command) {
   require_planar("cspace", command.operands);
+  if (command.slabs > 0) {
+    refuse_options(*command.parser, {"--open", "--slices"}, "does not apply to --slabs");
+    if (command.files.size() != 1 || !command.files[0].ends_with('/'))
+      throw Stop(kUsage, "--slabs writes many files: give one folder, -o slabs/");
+    return;
+  }
+  refuse_options(*command.parser, {"--resolution"}, "belongs to --slabs");
   for (const std::string& file : command.files)
     if (!is_glb(file) && !is_strip(file) && !file.ends_with(".json") && !file.ends_with(".obstacle"))
       throw Stop(kUsage,
@@ -136,6 +146,16 @@ ExitCode run_cspace(const CspaceCommand& command) {
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
+  if (command.slabs > 0) {
+    const SlabMaps maps =
+        slab_maps(inputs, {command.slabs, command.tolerance, command.resolution, bar->callback()}, command.files[0]);
+    bar.reset();
+    throw_if_interrupted();
+    write_slab_maps(maps);
+    if (command.report.json) print_report(slab_json(maps, inputs));
+    else print_slabs(std::cout, maps);
+    return kDone;
+  }
   ObstacleOptions options;
   options.progress = bar->callback();
   options.memory = memory_bytes(command.memory_mb);
@@ -169,7 +189,18 @@ void add_cspace(CLI::App& app, Action& action) {
                   "repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  within(verb.add_option("--tolerance", command->tolerance, "Largest error of the mesh, as a share of its extent"),
+  whole_within(verb.add_option("--slabs", command->slabs,
+                               "Instead of the obstacle: N maps of equal ranges of headings, each blocked wherever the "
+                               "robot hits something at some heading of the range; -o names a folder, for a PGM and a "
+                               "YAML file each, as navigation stacks read them, and the set itself as WKT"),
+               2, 3600)
+      ->type_name("N");
+  within(verb.add_option("--resolution", command->resolution,
+                         "With --slabs: the size of a cell; a 256th of the longer side if not given"),
+         1e-300, 1e300)
+      ->type_name("SIZE");
+  within(verb.add_option("--tolerance", command->tolerance,
+                         "Largest error of the mesh, or with --slabs of the sets, as a share of the extent"),
          1e-6, 1)
       ->type_name("T")
       ->capture_default_str();
@@ -181,7 +212,9 @@ void add_cspace(CLI::App& app, Action& action) {
   add_memory_limit(verb, command->memory_mb);
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_input_options(verb, command->input);
-  verb.footer("Example: dymsum cspace peg.wkt slot.wkt -o obstacle.glb -o slices.svg --json");
+  verb.footer(
+      "Example: dymsum cspace peg.wkt slot.wkt -o obstacle.glb -o slices.svg --json\n"
+      "Example: dymsum cspace peg.wkt slot.wkt --slabs 16 -o slabs/");
   verb.callback([command, &action] {
     action = [command] {
       return run_with_pages({command->parser, "obstacle", ""}, command->operands, command->input, command->files,

@@ -59,4 +59,10 @@ class RotationFamily {
   std::unique_ptr<const State> state_;
 };
 
+/// RotationFamily::outer and inner without a family, for a few intervals: no obstacle is computed.
+Result<PlanarSum> outer_rotated_sum(const Region& p, const Region& q, const Orientation& a, const Orientation& b,
+                                    double tolerance, const FamilyOptions& options = {});
+Result<PlanarSum> inner_rotated_sum(const Region& p, const Region& q, const Orientation& a, const Orientation& b,
+                                    double tolerance, const FamilyOptions& options = {});
+
 }  // namespace dymsum

@@ -212,14 +212,30 @@ std::vector<Lifetime> RotationFamily::lifetimes() const {
   return lives;
 }
 
+namespace {
+
+RotatedOperands operands_of(const Region& p, const Region& q, const FamilyOptions& options) {
+  return rotated_operands(p, q, options.moving == MovingOperand::p, options.reflect_q);
+}
+
+}  // namespace
+
 Result<PlanarSum> RotationFamily::outer(const Orientation& a, const Orientation& b, double tolerance) const {
-  return outer_set(rotated_operands(state_->p, state_->q, state_->p_moves(), state_->options.reflect_q), a, b,
-                   tolerance);
+  return outer_set(operands_of(state_->p, state_->q, state_->options), a, b, tolerance);
 }
 
 Result<PlanarSum> RotationFamily::inner(const Orientation& a, const Orientation& b, double tolerance) const {
-  return inner_set(rotated_operands(state_->p, state_->q, state_->p_moves(), state_->options.reflect_q), a, b,
-                   tolerance);
+  return inner_set(operands_of(state_->p, state_->q, state_->options), a, b, tolerance);
+}
+
+Result<PlanarSum> outer_rotated_sum(const Region& p, const Region& q, const Orientation& a, const Orientation& b,
+                                    double tolerance, const FamilyOptions& options) {
+  return outer_set(operands_of(p, q, options), a, b, tolerance);
+}
+
+Result<PlanarSum> inner_rotated_sum(const Region& p, const Region& q, const Orientation& a, const Orientation& b,
+                                    double tolerance, const FamilyOptions& options) {
+  return inner_set(operands_of(p, q, options), a, b, tolerance);
 }
 
 }  // namespace dymsum
