@@ -61,6 +61,7 @@ const std::vector<std::string> kRooms = {
     "io/picture",
     "io/obstacle",
     "nesting",
+    "placement",
     "shape/complex",
     "shape/disc",
     "shape/features",
