@@ -62,6 +62,7 @@ const std::vector<std::string> kRooms = {
     "io/obstacle",
     "nesting",
     "placement",
+    "check",
     "shape/complex",
     "shape/disc",
     "shape/features",
