@@ -58,7 +58,7 @@ void measure(const std::string& name, CoordinateKind kind, bool exact) {
     if (before.candidates.empty()) break;
     const RationalPoint at = position_for(placement, shape, before, exact);
     digits = std::max(digits, at.x.denominator().size());
-    placement.place(shape, at).value();
+    placement.add_part(shape, at).value();
     const double start = milliseconds_now();
     vertices = placement.feasible(shape).value().candidates.size();
     placing.ms.push_back(milliseconds_now() - start);
@@ -67,11 +67,11 @@ void measure(const std::string& name, CoordinateKind kind, bool exact) {
   const std::vector<PlacedPart> parts = placement.parts();
   for (const PlacedPart& part : parts) {
     const RationalPoint at{part.at.x + Rational::of(0.0625).value(), part.at.y};
-    placement.move(part.part, at).value();
+    placement.move_part(part.part, at).value();
     const double start = milliseconds_now();
     placement.feasible(0).value();
     moving.ms.push_back(milliseconds_now() - start);
-    placement.move(part.part, part.at).value();
+    placement.move_part(part.part, part.at).value();
     placement.feasible(0).value();
   }
   std::printf("%-28s %4zu parts %5zu vertices %5zu digits | placed %s | moved %s\n", name.c_str(), parts.size(),

@@ -53,7 +53,7 @@ std::string layout_picture(const Layout& layout, const LayoutCheck& check) {
              wrong.contains(k) ? "fill=\"#e8a33d\" fill-opacity=\"0.7\" stroke=\"#a8650a\""
                                : "fill=\"#9ecae1\" fill-opacity=\"0.7\" stroke=\"#08519c\"");
   for (std::size_t k = check.faults.size(); k-- > 0;) {
-    const Point at = check.faults[k].place;
+    const Point at = check.faults[k].at;
     svg << "<circle cx=\"" << number(at.x - origin.x) << "\" cy=\"" << number(-at.y - origin.y) << "\" r=\""
         << number((k == 0 ? 14 : 8) / factor) << "\" fill=\"none\" stroke=\"" << kTightColour << "\" stroke-width=\""
         << number((k == 0 ? 3 : 1.5) / factor) << "\"/>\n";

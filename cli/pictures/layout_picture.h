@@ -7,8 +7,8 @@
 
 namespace dymsum::cli {
 
-/// The container, the parts, those at fault coloured, and a ring around the place of each fault, the worst one thick;
-/// SVG text.
+/// The container, the parts, those at fault coloured, and a ring around the position of each fault, the worst one
+/// thick; SVG text.
 std::string layout_picture(const Layout& layout, const LayoutCheck& check);
 
 }  // namespace dymsum::cli

@@ -46,7 +46,7 @@ Json fault_json(const LayoutFault& fault) {
           {"distance", fits ? Json(fault.distance) : Json("inf")},
           {"squared_exact", fits ? Json(fault.squared.to_string()) : Json()},
           {"move", {fault.move.x.to_double(), fault.move.y.to_double()}},
-          {"at", {fault.place.x, fault.place.y}}};
+          {"at", {fault.at.x, fault.at.y}}};
 }
 
 Json check_json(const CheckCommand& command, const Checked& all, const Timing& timing) {
@@ -80,7 +80,7 @@ void print_fault(const Layout& layout, const LayoutFault& fault) {
       std::cout << " is outside the container by ";
       break;
   }
-  std::cout << fault.distance << ", near (" << fault.place.x << ", " << fault.place.y << ")\n";
+  std::cout << fault.distance << ", near (" << fault.at.x << ", " << fault.at.y << ")\n";
 }
 
 void print_text(const Checked& all) {
@@ -142,7 +142,7 @@ void add_check(CLI::App& app, Action& action) {
   within(verb.add_option("--margin", command->distances.margin, "The required distance from the container's outside"),
          0)
       ->type_name("D");
-  verb.add_option("-o", command->outputs, "A picture with the places marked (.svg); repeatable")
+  verb.add_option("-o", command->outputs, "A picture with the faults marked (.svg); repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->report, "Check N times and report the median and minimum time");

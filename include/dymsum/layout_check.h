@@ -44,7 +44,7 @@ struct LayoutFault {
   Rational squared;                  ///< the exact square of `distance`
   double distance = 0;  ///< the nearest double; infinite where a part fits nowhere (`squared` is 0 and counts nothing)
   RationalPoint move;   ///< a shortest move of `part` to a touch; that into the container; zero where there is none
-  Point place;          ///< near the fault: what overlaps or sticks out is there, or a corner of the part's box
+  Point at;             ///< near the fault: what overlaps or sticks out is there, or a corner of the part's box
 };
 
 struct LayoutCheckOptions {

@@ -10,7 +10,6 @@
 #include "dymsum/orientation.h"
 #include "dymsum/planar_operand.h"
 #include "dymsum/planar_sum.h"
-#include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
@@ -49,10 +48,9 @@ struct FeasiblePositions {
 struct PlacementOptions {
   double spacing = 0;  ///< the least distance of two parts
   double margin = 0;   ///< the least distance of a part from the outside of the container, and from its holes
-  Progress progress;
 };
 
-/// A value that copies share nothing of what changes. Not thread-safe.
+/// A value: what a copy places changes nothing elsewhere. Not thread-safe.
 ///
 /// Everything is exact: shapes are turned by exact orientations and placed at rational positions, so a vertex of a
 /// feasible set is a position for the next part. Distances are kept by polygons of 32 sides around the disc of that
@@ -80,10 +78,10 @@ class Placement {
   Result<std::optional<Point>> free_beside(std::uint32_t shape, const RationalPoint& at, double grid);
 
   /// The index of the part. It may overlap others: nothing is checked. Errors: bad_index.
-  Result<std::uint32_t> place(std::uint32_t shape, const RationalPoint& at);
+  Result<std::uint32_t> add_part(std::uint32_t shape, const RationalPoint& at);
   /// Errors: bad_index where there is no such part.
-  Result<void> move(std::uint32_t part, const RationalPoint& at);
-  Result<void> take_out(std::uint32_t part);
+  Result<void> move_part(std::uint32_t part, const RationalPoint& at);
+  Result<void> remove_part(std::uint32_t part);
   std::vector<PlacedPart> parts() const;  ///< ascending
 
   Placement(const Placement& other);

@@ -54,7 +54,7 @@ PlanarSum turned(const Region& shape, const Orientation& by) {
 }
 
 /// A position at which a piece of the boundary of one set lies in the other, or along it with both on one side.
-std::optional<Point> place_in(const PlacedSet& set, const placement::Cover& cover) {
+std::optional<Point> position_in(const PlacedSet& set, const placement::Cover& cover) {
   for (const placement::EdgeCover& e : cover.edges) {
     const placement::EdgeOf edge{&set, e.edge};
     for (std::size_t k = 0; k < e.gaps.size(); ++k) {
@@ -70,10 +70,10 @@ std::optional<Point> place_in(const PlacedSet& set, const placement::Cover& cove
 
 /// Where two open sets have points in common, if they do: some boundary of one lies in the other then, or all of it
 /// along the other's, with both on one side.
-std::optional<Point> common_place(const PlacedSet& a, const PlacedSet& b) {
+std::optional<Point> common_position(const PlacedSet& a, const PlacedSet& b) {
   const std::array<placement::Cover, 2> covers = placement::covers(a, b);
-  const std::optional<Point> place = place_in(a, covers[0]);
-  return place ? place : place_in(b, covers[1]);
+  const std::optional<Point> position = position_in(a, covers[0]);
+  return position ? position : position_in(b, covers[1]);
 }
 
 class LayoutChecker {
@@ -83,7 +83,7 @@ class LayoutChecker {
   LayoutCheck run() {
     Poll poll(options_.progress);
     poll.stage("parts");
-    place_parts();
+    move_parts();
     if (layout_.container) check_container();
     poll.stage("pairs");
     check_pairs(poll);
@@ -119,7 +119,7 @@ class LayoutChecker {
     return it->second;
   }
 
-  void place_parts() {
+  void move_parts() {
     for (std::uint32_t k = 0; k < layout_.parts.size(); ++k) {
       const LayoutPart& part = layout_.parts[k];
       if (part.shape >= layout_.shapes.size())
@@ -131,12 +131,12 @@ class LayoutChecker {
   }
 
   void add_fault(LayoutFault::Kind kind, std::uint32_t part, std::uint32_t other, const depth::PlaneNearest& nearest,
-                 Point place) {
+                 Point at) {
     LayoutFault fault;
     fault.kind = kind;
     fault.part = part;
     fault.other = other;
-    fault.place = place;
+    fault.at = at;
     if (nearest.moves.empty()) {
       fault.distance = std::numeric_limits<double>::infinity();
     } else {
@@ -157,12 +157,12 @@ class LayoutChecker {
     std::map<std::uint32_t, PlanarSum> fits;
     for (std::uint32_t k = 0; k < sets_.size(); ++k) {
       if (sets_[k].set().edges().empty()) continue;
-      const std::optional<Point> place = common_place(sets_[k], outside);
-      if (!place && !(options_.margin > 0)) continue;
+      const std::optional<Point> position = common_position(sets_[k], outside);
+      if (!position && !(options_.margin > 0)) continue;
       PlanarSum& fit = fits[turned_of_[k]];
       if (exact_source(fit) == nullptr) fit = required(erode(*layout_.container, turned_[turned_of_[k]].sum));
       const depth::PlaneNearest nearest = depth::nearest_on_boundary(fit, layout_.parts[k].at);
-      if (place) add_fault(LayoutFault::Kind::outside, k, kContainer, nearest, *place);
+      if (position) add_fault(LayoutFault::Kind::outside, k, kContainer, nearest, *position);
       else if (is_less(nearest, options_.margin))
         add_fault(LayoutFault::Kind::too_near, k, kContainer, nearest, corner_of(k));
     }
@@ -194,14 +194,14 @@ class LayoutChecker {
 
   void check_pair(std::uint32_t part, std::uint32_t other) {
     ++check_.pairs;
-    const std::optional<Point> place = common_place(sets_[part], sets_[other]);
-    if (!place && !(options_.spacing > 0)) return;
+    const std::optional<Point> position = common_position(sets_[part], sets_[other]);
+    if (!position && !(options_.spacing > 0)) return;
     PlanarSum& sum = no_fits_[{turned_of_[other], turned_of_[part]}];
     if (exact_source(sum) == nullptr)
       sum = required(nfp(turned_[turned_of_[other]].sum, turned_[turned_of_[part]].sum));
     const RationalPoint &a = layout_.parts[part].at, &b = layout_.parts[other].at;
     const depth::PlaneNearest nearest = depth::nearest_on_boundary(sum, {a.x - b.x, a.y - b.y});
-    if (place) add_fault(LayoutFault::Kind::overlap, part, other, nearest, *place);
+    if (position) add_fault(LayoutFault::Kind::overlap, part, other, nearest, *position);
     else if (is_less(nearest, options_.spacing))
       add_fault(LayoutFault::Kind::too_near, part, other, nearest, corner_of(part));
   }

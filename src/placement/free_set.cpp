@@ -178,7 +178,7 @@ class SetBuilder {
     const auto count = nodes_.all().size();
     vertices_.resize(count);
     make_parts(count);
-    make_thin(boundaries);
+    make_thin();
     out_.set.at_error = error_;
     planar::canonicalize(out_.set.parts, *source_, error_);
     exact_source(out_.set) = source_;
@@ -256,7 +256,7 @@ class SetBuilder {
     out_.set.parts = planar::group_rings(std::move(rings), outer, *source_, error_);
   }
 
-  void make_thin(std::span<const FreeBoundary* const>) {
+  void make_thin() {
     const auto position = [&](std::uint32_t n) { return planar::reduced(exact_position(nodes_.all()[n].at)); };
     std::vector<planar::PieceCandidate> segments;
     std::vector<std::pair<planar::Position, std::uint32_t>> ends;

@@ -141,42 +141,42 @@ void OpenSet::measure(BoundaryEdge& edge) const {
   edge.sign = steep ? y.sign() : x.sign();
 }
 
+int OpenSet::order_along(const BoundaryEdge& edge, std::uint32_t i, std::uint32_t j) const {
+  const HomogeneousPoint &p = at_[i], &q = at_[j];
+  const BigInteger a = (edge.axis == 0 ? p.x : p.y) * q.w, b = (edge.axis == 0 ? q.x : q.y) * p.w;
+  return edge.sign * a.compare(b);
+}
+
+bool OpenSet::lies_inside(std::uint32_t vertex, const BoundaryEdge& edge) const {
+  const NearPoint &a = near_[edge.from], &b = near_[edge.to], &p = near_[vertex];
+  if (vertex == edge.from || vertex == edge.to || p.x.high() < std::min(a.x.low(), b.x.low()) ||
+      p.x.low() > std::max(a.x.high(), b.x.high()))
+    return false;
+  const std::optional<int> sign = sign_of(edge.dx * (p.y - a.y) - edge.dy * (p.x - a.x));
+  if (sign && *sign != 0) return false;
+  const Line line = line_through(at_[edge.from], at_[edge.to]);
+  const HomogeneousPoint& v = at_[vertex];
+  return BigInteger(line.a * v.x + line.b * v.y + line.c * v.w).is_zero() && order_along(edge, edge.from, vertex) < 0 &&
+         order_along(edge, vertex, edge.to) < 0;
+}
+
 void OpenSet::cut_edges() {
   std::vector<std::vector<std::uint32_t>> inside(edges_.size());
   bool any = false;
   for (std::uint32_t v = 0; v < at_.size(); ++v)
     for_each_between(near_[v].y.low(), near_[v].y.high(), [&](std::uint32_t e) {
-      const BoundaryEdge& edge = edges_[e];
-      const NearPoint &a = near_[edge.from], &b = near_[edge.to], &p = near_[v];
-      if (v == edge.from || v == edge.to || p.x.high() < std::min(a.x.low(), b.x.low()) ||
-          p.x.low() > std::max(a.x.high(), b.x.high()))
-        return;
-      const std::optional<int> sign = sign_of(edge.dx * (p.y - a.y) - edge.dy * (p.x - a.x));
-      if (sign && *sign != 0) return;
-      const auto coordinate = [&](std::uint32_t k) { return edge.axis == 0 ? at_[k].x : at_[k].y; };
-      const auto order = [&](std::uint32_t i, std::uint32_t j) {
-        return edge.sign * BigInteger(coordinate(i) * at_[j].w).compare(coordinate(j) * at_[i].w);
-      };
-      const Line line = line_through(at_[edge.from], at_[edge.to]);
-      if (BigInteger(line.a * at_[v].x + line.b * at_[v].y + line.c * at_[v].w).is_zero() && order(edge.from, v) < 0 &&
-          order(v, edge.to) < 0)
-        inside[e].push_back(v), any = true;
+      if (lies_inside(v, edges_[e])) inside[e].push_back(v), any = true;
     });
   if (!any) return;
   std::vector<BoundaryEdge> all;
   all.swap(edges_);
   for (std::uint32_t e = 0; e < all.size(); ++e) {
     const BoundaryEdge& edge = all[e];
-    const auto along = [&](std::uint32_t i, std::uint32_t j) {
-      const HomogeneousPoint &p = at_[i], &q = at_[j];
-      return edge.sign * (edge.axis == 0 ? BigInteger(p.x * q.w).compare(q.x * p.w)
-                                         : BigInteger(p.y * q.w).compare(q.y * p.w)) <
-             0;
-    };
-    std::sort(inside[e].begin(), inside[e].end(), along);
+    std::sort(inside[e].begin(), inside[e].end(),
+              [&](std::uint32_t i, std::uint32_t j) { return order_along(edge, i, j) < 0; });
     std::uint32_t from = edge.from;
     for (const std::uint32_t v : inside[e]) {
-      if (v != inside[e].front() && !along(from, v)) continue;  // equal positions
+      if (from != edge.from && order_along(edge, from, v) == 0) continue;  // equal positions
       add_edge(from, v, edge.kind);
       from = v;
     }

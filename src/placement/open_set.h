@@ -87,6 +87,10 @@ class OpenSet {
   void finish();
   /// Cuts edges at vertices inside them.
   void cut_edges();
+  /// The order of two vertices on the line of an edge, along it.
+  int order_along(const BoundaryEdge& edge, std::uint32_t i, std::uint32_t j) const;
+  /// Whether a vertex lies on an edge, not at its ends.
+  bool lies_inside(std::uint32_t vertex, const BoundaryEdge& edge) const;
   void measure(BoundaryEdge& edge) const;
   void list_rows();
   double low_of(std::uint32_t e) const;

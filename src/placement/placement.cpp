@@ -56,7 +56,6 @@ Result<std::optional<Region>> disc_of(double distance, const char* what) {
 }  // namespace
 
 struct Placement::State {
-  PlacementOptions options;
   Region container;
   std::optional<PlanarSum> inner;  // the container less its margin
   std::optional<Region> spacing;
@@ -67,16 +66,10 @@ struct Placement::State {
   std::map<std::uint32_t, std::uint32_t> part_of;                                             // id -> index
   std::uint32_t next_part = 0, next_id = kContainerId + 1;
 
-  SumOptions sum_options() const {
-    SumOptions sum;
-    sum.progress = options.progress;
-    return sum;
-  }
-
   Result<std::shared_ptr<const OpenSet>> no_fit(std::uint32_t placed, std::uint32_t moving) {
     auto& known = no_fits[{placed, moving}];
     if (known) return known;
-    SumOptions open = sum_options();
+    SumOptions open;
     open.semantics = Semantics::open;  // polylines that cross polylines do not overlap
     const Result<PlanarSum> sum = nfp(shapes[placed]->kept_clear(), shapes[moving]->own(), open);
     if (!sum) return sum.error();
@@ -84,8 +77,7 @@ struct Placement::State {
   }
 
   Result<void> begin(OpenSets& own, std::uint32_t shape) {
-    const Result<PlanarSum> fit =
-        erode(inner ? PlanarOperand(*inner) : PlanarOperand(container), shapes[shape]->own(), sum_options());
+    const Result<PlanarSum> fit = erode(inner ? PlanarOperand(*inner) : PlanarOperand(container), shapes[shape]->own());
     if (!fit) return fit.error();
     own.add(kContainerId, OpenSet::outside(*fit), {0, 0, 1});
     return {};
@@ -134,7 +126,6 @@ Placement::~Placement() = default;
 
 Result<Placement> Placement::create(const Region& container, const PlacementOptions& options) {
   auto state = std::make_unique<State>();
-  state->options = options;
   state->container = container;
   Result<std::optional<Region>> spacing = disc_of(options.spacing, "spacing");
   if (!spacing) return spacing.error();
@@ -145,7 +136,7 @@ Result<Placement> Placement::create(const Region& container, const PlacementOpti
   if (!container.polylines().empty() || !container.points().empty())
     return Error{ErrorCode::unsupported_operand, "a container has no polylines and points", {}};
   if (*margin) {
-    Result<PlanarSum> inner = erode(container, **margin, state->sum_options());
+    Result<PlanarSum> inner = erode(container, **margin);
     if (!inner) return inner.error();
     state->inner = *std::move(inner);
   }
@@ -158,12 +149,12 @@ Result<std::uint32_t> Placement::add_shape(const Region& shape, const Orientatio
   made->region = shape;
   if (!(orientation == Orientation())) {
     const Result<Region> origin = Region::create({{}, {}, {Point{0, 0}}});
-    Result<PlanarSum> turned = rotated_sum(shape, *origin, orientation, state_->sum_options());
+    Result<PlanarSum> turned = rotated_sum(shape, *origin, orientation);
     if (!turned) return turned.error();
     made->turned = *std::move(turned);
   }
   if (state_->spacing) {
-    Result<PlanarSum> grown = minkowski_sum(made->own(), *state_->spacing, state_->sum_options());
+    Result<PlanarSum> grown = minkowski_sum(made->own(), *state_->spacing);
     if (!grown) return grown.error();
     made->grown = *std::move(grown);
   }
@@ -209,13 +200,13 @@ Result<std::optional<Point>> Placement::free_beside(std::uint32_t shape, const R
   return std::optional<Point>();
 }
 
-Result<std::uint32_t> Placement::place(std::uint32_t shape, const RationalPoint& at) {
+Result<std::uint32_t> Placement::add_part(std::uint32_t shape, const RationalPoint& at) {
   if (shape >= state_->shapes.size()) return no_index("shape", shape, state_->shapes.size());
   state_->stand(state_->next_part, shape, at);
   return state_->next_part++;
 }
 
-Result<void> Placement::move(std::uint32_t part, const RationalPoint& at) {
+Result<void> Placement::move_part(std::uint32_t part, const RationalPoint& at) {
   const auto it = state_->parts.find(part);
   if (it == state_->parts.end()) return no_index("part", part, state_->next_part);
   if (it->second.at == at) return {};
@@ -224,7 +215,7 @@ Result<void> Placement::move(std::uint32_t part, const RationalPoint& at) {
   return {};
 }
 
-Result<void> Placement::take_out(std::uint32_t part) {
+Result<void> Placement::remove_part(std::uint32_t part) {
   const auto it = state_->parts.find(part);
   if (it == state_->parts.end()) return no_index("part", part, state_->next_part);
   state_->part_of.erase(it->second.id);

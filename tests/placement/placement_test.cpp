@@ -127,15 +127,15 @@ std::string text_of(const Definition& definition, const Placement& placement) {
 }
 
 /// A random part, beside others where it fits or anywhere.
-void place_some(Placement& placement, Random& random, int reach, int shapes) {
+void stand_some(Placement& placement, Random& random, int reach, int shapes) {
   const auto shape = static_cast<std::uint32_t>(random.below(shapes));
   const FeasiblePositions feasible = *placement.feasible(shape);
   if (random.chance(60) && !feasible.candidates.empty()) {
     const auto k = static_cast<std::size_t>(random.below(static_cast<int>(feasible.candidates.size())));
-    ASSERT_TRUE(placement.place(shape, feasible.set.exact(feasible.candidates[k].vertex)).ok());
+    ASSERT_TRUE(placement.add_part(shape, feasible.set.exact(feasible.candidates[k].vertex)).ok());
   } else {
     const double x = random.below(2 * reach) / 2.0, y = random.below(2 * reach) / 2.0;
-    ASSERT_TRUE(placement.place(shape, at(x, y)).ok());
+    ASSERT_TRUE(placement.add_part(shape, at(x, y)).ok());
   }
 }
 
@@ -155,7 +155,7 @@ TEST(Placement, HoldsExactlyTheFreePositionsOnTinyGrids) {
         const std::string fault = fault_of(definition, placement, shape, reach, random);
         ASSERT_EQ(fault, "") << to_wkt(outside) << "\n" << text_of(definition, placement) << "for " << shape;
       }
-      place_some(placement, random, reach, 2);
+      stand_some(placement, random, reach, 2);
       if (HasFatalFailure()) return;
     }
   }
@@ -166,7 +166,7 @@ TEST(Placement, KeepsExactFits) {
   Placement placement = *Placement::create(box(0, 0, 10, 4));
   const std::uint32_t wide = *placement.add_shape(box(0, 0, 4, 4)), peg = *placement.add_shape(box(0, 0, 2, 1)),
                       square = *placement.add_shape(box(0, 0, 2, 4));
-  const std::uint32_t first = *placement.place(wide, at(0, 0)), second = *placement.place(wide, at(6, 0));
+  const std::uint32_t first = *placement.add_part(wide, at(0, 0)), second = *placement.add_part(wide, at(6, 0));
   const FeasiblePositions slot = *placement.feasible(peg), only = *placement.feasible(square);
   EXPECT_TRUE(slot.set.parts.empty());
   ASSERT_EQ(slot.set.segments.size(), 1u);
@@ -217,11 +217,11 @@ TEST(Placement, EqualsBooleanOperationsOffTheGrid) {
       for (int k = 0; k < 6; ++k) {
         placed.push_back(of(apart(random, 7)));
         const double x = random.below(16), y = random.below(16);
-        ASSERT_TRUE(placement.place(*placement.add_shape(placed.back()), at(x, y)).ok());
+        ASSERT_TRUE(placement.add_part(*placement.add_shape(placed.back()), at(x, y)).ok());
         Result<Region> moved = translated(placed.back(), x, y);
         // Rounding is to move nothing: else the part stands where it was made.
         if (moved && *translated(*moved, -x, -y) == placed.back()) placed.back() = *moved;
-        else ASSERT_TRUE(placement.move(placement.parts().back().part, at(0, 0)).ok());
+        else ASSERT_TRUE(placement.move_part(placement.parts().back().part, at(0, 0)).ok());
       }
       const FeasiblePositions feasible = *placement.feasible(shape);
       const PlanarSum expected = by_boolean(container, placed, moving);
@@ -241,15 +241,15 @@ TEST(Placement, UpdatedEqualsMadeAnew) {
     const std::vector<PlacedPart> parts = placement.parts();
     if (parts.size() > 8 || (parts.size() > 3 && random.chance(40))) {
       const std::uint32_t part = parts[static_cast<std::size_t>(random.below(static_cast<int>(parts.size())))].part;
-      if (random.chance(50)) ASSERT_TRUE(placement.take_out(part).ok());
-      else ASSERT_TRUE(placement.move(part, at(random.below(16), random.below(16))).ok());
+      if (random.chance(50)) ASSERT_TRUE(placement.remove_part(part).ok());
+      else ASSERT_TRUE(placement.move_part(part, at(random.below(16), random.below(16))).ok());
     } else {
-      place_some(placement, random, 12, 5);
+      stand_some(placement, random, 12, 5);
     }
     Placement anew = *Placement::create(shapes::letter_l(20, 20, 12));
     for (const Region& shape : shapes) ASSERT_TRUE(anew.add_shape(shape).ok());
     ASSERT_TRUE(anew.add_shape(shapes[0], *Orientation::of(1, 3)).ok());
-    for (const PlacedPart& part : placement.parts()) ASSERT_TRUE(anew.place(part.shape, part.at).ok());
+    for (const PlacedPart& part : placement.parts()) ASSERT_TRUE(anew.add_part(part.shape, part.at).ok());
     const auto shape = static_cast<std::uint32_t>(random.below(5));
     const FeasiblePositions updated = *placement.feasible(shape), made = *anew.feasible(shape);
     EXPECT_TRUE(updated.set == made.set);
@@ -264,10 +264,10 @@ TEST(Placement, UpdatedEqualsMadeAnew) {
 TEST(Placement, CopiesAreIndependent) {
   Placement placement = *Placement::create(box(0, 0, 8, 8));
   const std::uint32_t shape = *placement.add_shape(box(0, 0, 4, 4));
-  ASSERT_TRUE(placement.place(shape, at(0, 0)).ok());
+  ASSERT_TRUE(placement.add_part(shape, at(0, 0)).ok());
   const PlanarSum before = placement.feasible(shape)->set;
   Placement copy = placement;
-  ASSERT_TRUE(copy.place(shape, at(4, 0)).ok());
+  ASSERT_TRUE(copy.add_part(shape, at(4, 0)).ok());
   EXPECT_FALSE(copy.feasible(shape)->set == before);
   EXPECT_TRUE(placement.feasible(shape)->set == before);
 }
@@ -305,7 +305,7 @@ TEST(Placement, KeepsSpacingAndMargin) {
     const FeasiblePositions feasible = *placement.feasible(shape);
     if (feasible.candidates.empty()) continue;
     const auto c = static_cast<std::size_t>(random.below(static_cast<int>(feasible.candidates.size())));
-    ASSERT_TRUE(placement.place(shape, feasible.set.exact(feasible.candidates[c].vertex)).ok());
+    ASSERT_TRUE(placement.add_part(shape, feasible.set.exact(feasible.candidates[c].vertex)).ok());
   }
   const Big least = from_double<Big>(spacing) * from_double<Big>(spacing),
             edge = from_double<Big>(margin) * from_double<Big>(margin);
@@ -340,9 +340,9 @@ TEST(Placement, RefusesWhatItCannotTake) {
   Placement placement = *Placement::create(box(0, 0, 1, 1));
   EXPECT_EQ(placement.add_shape(Region()).error().code, ErrorCode::unsupported_operand);
   EXPECT_EQ(placement.feasible(0).error().code, ErrorCode::bad_index);
-  EXPECT_EQ(placement.place(0, at(0, 0)).error().code, ErrorCode::bad_index);
-  EXPECT_EQ(placement.move(0, at(0, 0)).error().code, ErrorCode::bad_index);
-  EXPECT_EQ(placement.take_out(0).error().code, ErrorCode::bad_index);
+  EXPECT_EQ(placement.add_part(0, at(0, 0)).error().code, ErrorCode::bad_index);
+  EXPECT_EQ(placement.move_part(0, at(0, 0)).error().code, ErrorCode::bad_index);
+  EXPECT_EQ(placement.remove_part(0).error().code, ErrorCode::bad_index);
   const std::uint32_t shape = *placement.add_shape(box(0, 0, 2, 2));
   EXPECT_TRUE(placement.feasible(shape)->candidates.empty());
   EXPECT_EQ(placement.free_beside(shape, at(0, 0), 3).error().code, ErrorCode::out_of_range);
