@@ -31,6 +31,7 @@ void add_path(CLI::App& app, Action& action);
 void add_depth(CLI::App& app, Action& action);
 void add_local_sum(CLI::App& app, Action& action);
 void add_contains(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
 void add_features(CLI::App& app, Action& action);
 void add_decompose(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);

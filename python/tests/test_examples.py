@@ -18,6 +18,7 @@ SPEC.loader.exec_module(notebooks)
 
 SAYS = {
     "fitting_scales": "it fits inside from scale 0 to 7/3",
+    "nest_parts": "9 parts, length 12, density 0.9444: proved",
     "nesting_table": "2 items, 16 no-fit polygons",
     "obstacle_and_path": "the path is free",
     "turning_solid": "depths from",

@@ -161,6 +161,7 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ),
     ("NfpTable", lambda f: dymsum.NfpTable(LARGE_TABLE, progress=f)),
     ("NfpTable", lambda f: dymsum.NfpTable.create(LARGE_TABLE, progress=f)),
+    ("check_layout", lambda f: dymsum.check_layout(dymsum.Layout([P], []), dymsum.LayoutCheckOptions(progress=f))),
     ("decompose", lambda f: dymsum.decompose(FEATURES, dymsum.DecomposeOptions(progress=f))),
     ("GrowingDisc.events", lambda f: dymsum.GrowingDisc(P).events(dymsum.DiscSide.inside, f)),
     ("GrowingDisc.sum_at", lambda f: dymsum.GrowingDisc(P).sum_at(1, progress=f)),
@@ -183,7 +184,7 @@ def _that_take_a_progress() -> Iterator[str]:
     options = [
         name for name, kind in vars(dymsum).items() if name.endswith("Options") and hasattr(kind, "progress")
     ]
-    assert len(options) == 16
+    assert len(options) == 17
     for name, value in vars(dymsum).items():
         members = vars(value).items() if inspect.isclass(value) else [("", value)]
         for member, function in members:

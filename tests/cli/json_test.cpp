@@ -70,6 +70,8 @@ const std::vector<Case> kCases = {
     {"clearance", "clearance peg.wkt slot.wkt --at 1,6,0 --weight inf"},
     {"angles", "angles peg.wkt slot.wkt --at 1,6 --at 1,2 --at 2,2"},
     {"nfp_table", "nfp-table parts.json --cache answers"},
+    {"check", "check layout.json", 4},
+    {"check", "check layout.json --margin 1", 4},
     {"path", "path peg.wkt slot.wkt --from 1,6,0 --to 1,1,0"},
     {"path", "path peg.wkt slot.wkt --from 1,6,0 --to 1,1,0 --strict", 4},
     {"path", "path square.wkt frame.wkt --from 1.5,1.5,0 --to 9,9,0", 4},
@@ -125,6 +127,12 @@ class JsonReports : public CliTest {
     work.write(
         "parts.json",
         R"({"items":[{"allowed_orientations":[0,9],"shape":{"type":"simple_polygon","data":[[0,0],[1,0],[0,1]]}}]})");
+    work.write(
+        "layout.json",
+        R"({"items":[{"id":0,"shape":{"type":"simple_polygon","data":[[0,0],[3,0],[3,1],[0,2]]}}],"strip_height":9,)"
+        R"("solution":{"strip_width":3,"layout":{"placed_items":)"
+        R"([{"item_id":0,"transformation":{"rotation":0,"translation":[0,0]}},)"
+        R"({"item_id":0,"transformation":{"rotation":90,"translation":["7/2","1"]}}]}}})");
     std::filesystem::create_directories(work.folder() / "work" / "answers");
     work.write("answers/damaged.nfpt", "not one of ours");
     work.write("poses.txt", "1,6,0\n1,1,0\n");

@@ -59,6 +59,10 @@ std::set<std::string> options_of(const std::string& help) {
 
 constexpr const char* kParts = R"({"items":[{"allowed_orientations":[0,180],)"
                                R"("shape":{"type":"simple_polygon","data":[[0,0],[3,0],[3,1],[0,2]]}}]})";
+constexpr const char* kLayout =
+    R"({"items":[{"id":0,"shape":{"type":"simple_polygon","data":[[0,0],[3,0],[3,1],[0,2]]}}],"strip_height":2,)"
+    R"("solution":{"strip_width":3,"layout":{"placed_items":)"
+    R"([{"item_id":0,"transformation":{"rotation":0,"translation":[0,0]}}]}}})";
 
 std::string first_word(const std::string& text) { return text.substr(0, text.find(' ')); }
 
@@ -78,6 +82,7 @@ class OptionTable : public testing::TestWithParam<Section> {
                                             {"cube.off", kCube},
                                             {"wedge.off", kTetrahedron},
                                             {"parts.json", kParts},
+                                            {"layout.json", kLayout},
                                             {"copies.txt", "1 0 0\n3/2 9 0\n"},
                                             {"poses.txt", "1,6,0\n1,9,0\n"},
                                             {"places.txt", "3,3\n"},

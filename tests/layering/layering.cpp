@@ -61,6 +61,8 @@ const std::vector<std::string> kRooms = {
     "io/picture",
     "io/obstacle",
     "nesting",
+    "placement",
+    "check",
     "shape/complex",
     "shape/disc",
     "shape/features",

@@ -6,11 +6,13 @@
 #include "dymsum/decomposition.h"
 #include "dymsum/fill.h"
 #include "dymsum/growing_disc.h"
+#include "dymsum/layout_check.h"
 #include "dymsum/local_sum.h"
 #include "dymsum/mesh_io.h"
 #include "dymsum/named_repairs.h"
 #include "dymsum/names.h"
 #include "dymsum/nfp_table.h"
+#include "dymsum/placement.h"
 #include "dymsum/planar_local_sum.h"
 #include "dymsum/planner.h"
 #include "dymsum/region_io.h"
@@ -33,6 +35,7 @@ Enumerators of(const char* name) {
 
 std::vector<Enumerators> enumerations() {
   return {of<BetweenSteps>("BetweenSteps"),
+          of<CandidatePosition::Kind>("Kind"),
           of<Concavity>("Concavity"),
           of<Contact::Kind>("Kind"),
           of<ConvexEngine>("ConvexEngine"),
@@ -53,6 +56,7 @@ std::vector<Enumerators> enumerations() {
           of<FeatureBar::Death>("Death"),
           of<Fill>("Fill"),
           of<FrameMode>("FrameMode"),
+          of<LayoutFault::Kind>("Kind"),
           of<LocalEngine>("LocalEngine"),
           of<LocalPart::Where>("Where"),
           of<Meeting>("Meeting"),

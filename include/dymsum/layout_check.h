@@ -1,0 +1,75 @@
+// Whether a layout is right: parts that overlap, that are nearer than a required spacing, that stick out of the
+// container; whoever made it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dymsum/orientation.h"
+#include "dymsum/planar_sum.h"
+#include "dymsum/progress.h"
+#include "dymsum/rational.h"
+#include "dymsum/region.h"
+#include "dymsum/result.h"
+
+namespace dymsum {
+
+/// A part of a layout: a shape, turned about the origin of its coordinates, then moved.
+struct LayoutPart {
+  std::string name;
+  std::uint32_t shape = 0;  ///< index into Layout::shapes
+  Orientation orientation;
+  RationalPoint at;
+};
+
+struct Layout {
+  std::vector<Region> shapes;
+  std::vector<LayoutPart> parts;
+  std::optional<Region> container;  ///< none: parts may be anywhere
+};
+
+struct LayoutFault {
+  enum class Kind : std::uint8_t {
+    overlap,   ///< two parts have interior points in common; `distance` is their penetration depth
+    too_near,  ///< two parts are nearer than the spacing, or one is nearer to the outside than the margin; the distance
+    outside,   ///< a part is not in the container; `distance` is the shortest move into it
+  };
+  static constexpr std::uint32_t kContainer = 0xffffffff;
+  Kind kind = Kind::overlap;
+  std::uint32_t part = 0;            ///< index into Layout::parts
+  std::uint32_t other = kContainer;  ///< the other one, with the smaller index, or kContainer
+  Rational squared;                  ///< the exact square of `distance`
+  double distance = 0;  ///< the nearest double; infinite where a part fits nowhere (`squared` is 0 and counts nothing)
+  RationalPoint move;   ///< a shortest move of `part` to a touch; that into the container; zero where there is none
+  Point at;             ///< near the fault: what overlaps or sticks out is there, or a corner of the part's box
+};
+
+struct LayoutCheckOptions {
+  double spacing = 0, margin = 0;  ///< the required distances of parts, and of parts and the outside
+  Progress progress;
+};
+
+struct LayoutCheck {
+  std::vector<LayoutFault> faults;  ///< by kind, then the worst first, then by parts
+  std::uint64_t pairs = 0;          ///< whose boxes are near enough to be looked at
+  double density = 0;               ///< area of all parts over that of the container; 0 without one; rounded
+  bool valid() const { return faults.empty(); }
+};
+
+/// Exact: touching is allowed, and whether parts overlap or keep a distance is decided by integers, for the
+/// orientations and positions as they are given. Parts without area overlap nothing. Errors: bad_index for a part with
+/// a shape that is not there; out_of_range for negative or infinite distances; those of nfp; cancelled. O(n log n) for
+/// boxes that rarely meet, and for each pair that does the pieces of both boundaries that are near each other; a sum
+/// for each fault.
+Result<LayoutCheck> check_layout(const Layout& layout, const LayoutCheckOptions& options = {});
+
+/// The layouts of a file: what jagua-rs and sparrow write, an instance with its solution (docs/guide/nesting.md). One
+/// for a strip, one for each bin that is used. Rotations are degrees, at face value: multiples of 90 exactly, others by
+/// Orientation::nearest. Errors: cannot_open; malformed and those of regions with the item's name.
+Result<std::vector<Layout>> read_layouts(const std::string& path);
+Result<std::vector<Layout>> parse_layouts(std::string_view text, std::string_view name_for_errors);
+
+}  // namespace dymsum
