@@ -13,6 +13,10 @@
 
 namespace dymsum {
 
+namespace planar {
+struct FamilyInternals;
+}
+
 /// The sums s P (+) Q (or P (+) s Q) for all s of an interval. Two threads may query one family at the same time.
 class ScalingFamily {
  public:
@@ -64,6 +68,7 @@ class ScalingFamily {
   Result<PlanarSum> inner(const Scale& a, const Scale& b) const;
 
  private:
+  friend struct planar::FamilyInternals;
   class State;
   explicit ScalingFamily(std::unique_ptr<const State> state);
   std::unique_ptr<const State> state_;
