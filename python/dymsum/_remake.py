@@ -28,6 +28,7 @@ from ._core import (
     Region,
     RotatingSum,
     Scale,
+    ScalingFamily,
     ScalingSum,
     SolidPose,
     SolidRotationEvents,
@@ -104,6 +105,21 @@ def scaling(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) 
 def scaling_sum(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) -> PlanarSum:
     """The sum that a scaling sum had."""
     return scaling(p, q, options, sx, sy).sum()
+
+
+def family_at(family: ScalingFamily, scales: list[Scale]) -> PlanarSum:
+    """The sum of a family at a scale."""
+    return family.at(*scales)
+
+
+def family_outer(family: ScalingFamily, scales: list[Scale]) -> PlanarSum:
+    """What lies in some sum of an interval of a family."""
+    return family.outer(*scales)
+
+
+def family_inner(family: ScalingFamily, scales: list[Scale]) -> PlanarSum:
+    """What lies in all sums of an interval of a family."""
+    return family.inner(*scales)
 
 
 def rotating(p: Region, q: Region, options: MovingOptions, theta: Orientation) -> RotatingSum:
