@@ -34,6 +34,9 @@ class ScalingFamily {
   ScalingFamily& operator=(ScalingFamily&&) noexcept;
   ~ScalingFamily();
 
+  const Region& p() const;
+  const Region& q() const;
+  const FamilyOptions& options() const;  ///< with no progress, which is of the making alone
   const Scale& low() const;
   const Scale& high() const;
   const Scale& ratio() const;

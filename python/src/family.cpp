@@ -137,6 +137,9 @@ void bind_family_class(nb::module_& m) {
           "polylines and points; cancelled; out_of_memory.")
       .def_static("create", &created_family, "p"_a, "q"_a, "low"_a, "high"_a, "ratio"_a = 1,
                   "options"_a = FamilyOptions())
+      .def("p", &ScalingFamily::p, nb::rv_policy::reference_internal)
+      .def("q", &ScalingFamily::q, nb::rv_policy::reference_internal)
+      .def("options", &ScalingFamily::options)
       .def("low", &ScalingFamily::low)
       .def("high", &ScalingFamily::high)
       .def("ratio", &ScalingFamily::ratio)

@@ -47,6 +47,9 @@ Result<ScalingFamily> ScalingFamily::create(const Region& p, const Region& q, co
       std::make_unique<State>(State{p, q, low, high, ratio, at_rest(options), *std::move(cells), work}));
 }
 
+const Region& ScalingFamily::p() const { return state_->p; }
+const Region& ScalingFamily::q() const { return state_->q; }
+const FamilyOptions& ScalingFamily::options() const { return state_->options; }
 const Scale& ScalingFamily::low() const { return state_->low; }
 const Scale& ScalingFamily::high() const { return state_->high; }
 const Scale& ScalingFamily::ratio() const { return state_->ratio; }
