@@ -116,7 +116,7 @@ void draw_holes(std::ostringstream& svg, const ScalingFamily& family, const std:
     const Rational from = begin_of_cell(family, life.first_cell), to = end_of_cell(family, life.last_cell);
     const double x = axis.x(from.to_double()), y = kHolesTop + height * static_cast<double>(rows.at(life.hole));
     svg << "<rect x='" << number(x) << "' y='" << number(y + 0.1 * height) << "' width='"
-        << number(std::max(1.0, axis.x(to.to_double()) - x)) << "' height='" << number(0.8 * height)
+        << number(std::max(2.0, axis.x(to.to_double()) - x)) << "' height='" << number(0.8 * height)
         << "' fill='#009e73'><title>hole " << life.hole << ": " << escaped(shown(from)) << " to " << escaped(shown(to))
         << "</title></rect>\n";
   }

@@ -12,8 +12,14 @@
 namespace dymsum::cli {
 namespace {
 
-FamilySum timed_sum(std::vector<Scale> scales, const auto& compute) {
-  auto [sum, timing] = timed(1, [&] { return require(compute()); });
+/// Outside of the family's interval is wrong usage of the option.
+FamilySum timed_sum(std::vector<Scale> scales, const std::string& option, const auto& compute) {
+  const auto computed = [&] {
+    Result<PlanarSum> sum = compute();
+    return !sum && sum.error().code == ErrorCode::bad_scale ? require_option(std::move(sum), option)
+                                                            : require(std::move(sum));
+  };
+  auto [sum, timing] = timed(1, computed);
   return {std::move(scales), std::move(sum), timing.median_ms};
 }
 
@@ -109,13 +115,17 @@ Rational end_of_cell(const ScalingFamily& family, std::uint32_t cell) {
 
 FamilyAnswers answers_of(const ScalingFamily& family, const FamilyQuestions& questions) {
   FamilyAnswers answers;
-  for (const Scale& s : questions.at) answers.at.push_back(timed_sum({s}, [&] { return family.at(s); }));
+  for (const Scale& s : questions.at) answers.at.push_back(timed_sum({s}, "--at", [&] { return family.at(s); }));
   if (questions.changes) answers.changes = family.changes(family.low(), family.high(), *questions.changes);
   if (questions.lifetimes) answers.lifetimes = require(family.lifetimes());
-  if (const auto& ends = questions.outer)
-    answers.outer = timed_sum({(*ends)[0], (*ends)[1]}, [&] { return family.outer((*ends)[0], (*ends)[1]); });
-  if (const auto& ends = questions.inner)
-    answers.inner = timed_sum({(*ends)[0], (*ends)[1]}, [&] { return family.inner((*ends)[0], (*ends)[1]); });
+  if (questions.outer) {
+    const auto& [a, b] = *questions.outer;
+    answers.outer = timed_sum({a, b}, "--outer", [&, &a = a, &b = b] { return family.outer(a, b); });
+  }
+  if (questions.inner) {
+    const auto& [a, b] = *questions.inner;
+    answers.inner = timed_sum({a, b}, "--inner", [&, &a = a, &b = b] { return family.inner(a, b); });
+  }
   return answers;
 }
 
@@ -155,10 +165,9 @@ void print_family(std::ostream& out, const FamilySource& source, const FamilyAns
   const auto topology = std::count_if(events.begin(), events.end(), [](const ScaleEvent& e) { return e.topology; });
   out << "family of " << source.inputs[0].file << " and " << source.inputs[1].file << ", s from "
       << shown(family.low().exact()) << " to " << shown(family.high().exact()) << "\n  "
-      << counted(work.events, "event") << ": " << work.visible << " visible, of which " << topology
-      << " change the topology; " << counted(work.cells, "cell") << "\n  "
-      << counted(work.names, "different vertex", "different vertices") << ", structures in "
-      << counted(work.bytes, "byte") << ", " << shown(source.timing) << "\n";
+      << counted(work.events, "event") << ", " << work.visible << " visible, the topology changes at " << topology
+      << "; " << counted(work.cells, "cell") << "\n  " << counted(work.names, "different vertex", "different vertices")
+      << ", structures in " << counted(work.bytes, "byte") << ", " << shown(source.timing) << "\n";
   for (const FamilySum* sum : answers.sums())
     out << "  " << caption_of(answers, *sum) << ": " << sum_words(sum->sum) << "\n";
   if (answers.changes)

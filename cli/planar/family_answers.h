@@ -40,7 +40,7 @@ struct FamilyAnswers {
 Rational begin_of_cell(const ScalingFamily& family, std::uint32_t cell);
 Rational end_of_cell(const ScalingFamily& family, std::uint32_t cell);
 
-/// The answers; Stops with bad input for scales outside the family.
+/// The answers; a Stop with wrong usage for scales outside of the family.
 FamilyAnswers answers_of(const ScalingFamily& family, const FamilyQuestions& questions);
 /// "s = 3/2", or "some s in [1, 3/2]".
 std::string caption_of(const FamilyAnswers& answers, const FamilySum& sum);

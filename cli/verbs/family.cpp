@@ -17,6 +17,7 @@
 #include "report.h"
 #include "verbs/commands.h"
 #include "verbs/scale_command.h"
+#include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
 namespace {
@@ -55,6 +56,7 @@ void check_outputs_of(const FamilyCommand& command, const FamilyQuestions& quest
   const std::size_t sums = sum_count(questions);
   for (const std::string& file : command.output.files) {
     if (is_family_file(file)) continue;
+    if (is_page(file)) throw Stop(kUsage, file + ": the viewer shows no family: scale --sweep shows its sums");
     if (is_svg(file) && command.lifetimes && sums > 0)
       throw Stop(kUsage,
                  "-o " + file + " would show lifetimes or sums: give --lifetimes, or --at, --outer and --inner");

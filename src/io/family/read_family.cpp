@@ -1,4 +1,4 @@
-// Every entry is looked at, so that a file that is not what was written is refused before anything is asked of it.
+// Every entry is looked at, so that a file that is not what was written is refused before anything uses it.
 #include <algorithm>
 #include <limits>
 #include <optional>
