@@ -21,6 +21,7 @@ void add_opening(CLI::App& app, Action& action);
 void add_closing(CLI::App& app, Action& action);
 void add_offset(CLI::App& app, Action& action);
 void add_scale(CLI::App& app, Action& action);
+void add_family(CLI::App& app, Action& action);
 void add_scale_range(CLI::App& app, Action& action);
 void add_rotate(CLI::App& app, Action& action);
 void add_slice(CLI::App& app, Action& action);

@@ -1,6 +1,7 @@
 // Fields of what planar sums report.
 #pragma once
 
+#include "dymsum/family.h"
 #include "dymsum/field.h"
 #include "dymsum/frames.h"
 #include "dymsum/penetration_depth.h"
@@ -70,6 +71,22 @@ inline constexpr std::tuple kFields<RingChange>{Field<&RingChange::kind>{}, Fiel
 template <>
 inline constexpr auto kFields<FrameChanges> =
     kMembers<&FrameChanges::rings, &FrameChanges::tight_points, &FrameChanges::tight_segments, &FrameChanges::topology>;
+
+template <>
+inline constexpr std::tuple kFields<Lifetime>{
+    Field<&Lifetime::feature>{},    Field<&Lifetime::in>{"of a vertex; of an edge both are its contact"},
+    Field<&Lifetime::out>{},        Field<&Lifetime::corner_p>{"of a vertex that is a sum of vertices"},
+    Field<&Lifetime::corner_q>{},   Field<&Lifetime::hole>{"of a hole, its identity"},
+    Field<&Lifetime::first_cell>{}, Field<&Lifetime::last_cell>{}};
+
+template <>
+inline constexpr std::tuple kFields<FamilyWork>{Field<&FamilyWork::events>{},
+                                                Field<&FamilyWork::visible>{"events at which the structure changes"},
+                                                Field<&FamilyWork::cells>{},
+                                                Field<&FamilyWork::kept>{"cells whose structure is kept"},
+                                                Field<&FamilyWork::names>{"different vertices"},
+                                                Field<&FamilyWork::bytes>{"of structures"},
+                                                Field<&FamilyWork::ms>{}};
 
 template <>
 inline constexpr auto kFields<ScaleContact> =

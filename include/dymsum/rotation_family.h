@@ -29,6 +29,10 @@ class RotationFamily {
   RotationFamily& operator=(RotationFamily&&) noexcept;
   ~RotationFamily();
 
+  /// The operands, less the centre, and the options, without a progress.
+  const Region& p() const;
+  const Region& q() const;
+  const FamilyOptions& options() const;
   /// The exact angles at which the sum changes, by increasing theta in (-pi, pi]. Cell k lies between angles k and
   /// k + 1, the last one passes pi; without angles there is one cell.
   const std::vector<EventAngle>& angles() const;

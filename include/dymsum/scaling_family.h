@@ -13,6 +13,10 @@
 
 namespace dymsum {
 
+namespace planar {
+struct FamilyInternals;
+}
+
 /// The sums s P (+) Q (or P (+) s Q) for all s of an interval. Two threads may query one family at the same time.
 class ScalingFamily {
  public:
@@ -30,6 +34,9 @@ class ScalingFamily {
   ScalingFamily& operator=(ScalingFamily&&) noexcept;
   ~ScalingFamily();
 
+  const Region& p() const;
+  const Region& q() const;
+  const FamilyOptions& options() const;  ///< with no progress, which is of the making alone
   const Scale& low() const;
   const Scale& high() const;
   const Scale& ratio() const;
@@ -64,6 +71,7 @@ class ScalingFamily {
   Result<PlanarSum> inner(const Scale& a, const Scale& b) const;
 
  private:
+  friend struct planar::FamilyInternals;
   class State;
   explicit ScalingFamily(std::unique_ptr<const State> state);
   std::unique_ptr<const State> state_;

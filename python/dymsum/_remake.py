@@ -10,6 +10,7 @@ from ._core import (
     ClipBall,
     ClipBox,
     ConvexSum,
+    FamilyOptions,
     LocalOptions,
     LocalPart,
     LocalSum,
@@ -27,7 +28,9 @@ from ._core import (
     PlanarSum,
     Region,
     RotatingSum,
+    RotationFamily,
     Scale,
+    ScalingFamily,
     ScalingSum,
     SolidPose,
     SolidRotationEvents,
@@ -92,6 +95,8 @@ difference = _core.difference
 symmetric_difference = _core.symmetric_difference
 filled = _core.filled
 parse_sum = _core.parse_sum
+outer_rotated_sum = _core.outer_rotated_sum
+inner_rotated_sum = _core.inner_rotated_sum
 
 
 def scaling(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) -> ScalingSum:
@@ -104,6 +109,26 @@ def scaling(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) 
 def scaling_sum(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) -> PlanarSum:
     """The sum that a scaling sum had."""
     return scaling(p, q, options, sx, sy).sum()
+
+
+def rotation_family_at(p: Region, q: Region, options: FamilyOptions, theta: Orientation) -> PlanarSum:
+    """The sum of a family at an orientation."""
+    return RotationFamily(p, q, options).at(theta)
+
+
+def family_at(family: ScalingFamily, scales: list[Scale]) -> PlanarSum:
+    """The sum of a family at a scale."""
+    return family.at(*scales)
+
+
+def family_outer(family: ScalingFamily, scales: list[Scale]) -> PlanarSum:
+    """What lies in some sum of an interval of a family."""
+    return family.outer(*scales)
+
+
+def family_inner(family: ScalingFamily, scales: list[Scale]) -> PlanarSum:
+    """What lies in all sums of an interval of a family."""
+    return family.inner(*scales)
 
 
 def rotating(p: Region, q: Region, options: MovingOptions, theta: Orientation) -> RotatingSum:

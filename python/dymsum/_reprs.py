@@ -23,6 +23,10 @@ def _obstacle(value: Any) -> str:
     return f"<CspaceObstacle: {len(value.patches())} patches>"
 
 
+def _family(value: Any) -> str:
+    return f"<ScalingFamily: {value.low().exact()} to {value.high().exact()}, {value.work().cells} cells>"
+
+
 def _region_data(value: Any) -> str:
     return f"<RegionData: {len(value.parts)} parts, {len(value.polylines)} polylines, {len(value.points)} points>"
 
@@ -31,4 +35,5 @@ for _kind in list(vars(_core).values()):
     if isinstance(_kind, type) and getattr(_kind, "__repr__") is getattr(object, "__repr__"):
         setattr(_kind, "__repr__", _short)
 setattr(_core.CspaceObstacle, "__repr__", _obstacle)
+setattr(_core.ScalingFamily, "__repr__", _family)
 setattr(_core.RegionData, "__repr__", _region_data)

@@ -46,7 +46,7 @@ JUNK: list[Any] = [
     dymsum.Rotation(),
 ]
 #: Files are not written, and what is asked on the terminal is not read.
-LEFT_OUT = {"write_file", "write_mesh", "read_shapes", "read_region_data", "read_mesh", "read_obstacle"}
+LEFT_OUT = {"write_file", "write_mesh", "read_shapes", "read_region_data", "read_mesh", "read_obstacle", "read_family"}
 EXPECTED = (dymsum.Error, TypeError, ValueError, IndexError, OverflowError, AttributeError, KeyError, RuntimeError)
 
 
@@ -69,6 +69,7 @@ def samples() -> list[Any]:
         convex.solid(),
         dymsum.ScalingSum(unit, unit),
         dymsum.RotatingSum(unit, unit),
+        dymsum.ScalingFamily(unit, unit, 1, 2),
         dymsum.fit_range(unit, unit),
         dymsum.GrowingDisc(unit),
         dymsum.GrowingDisc(unit).sum_at(1),

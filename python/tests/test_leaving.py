@@ -67,6 +67,7 @@ OPTIONS = [
     dymsum.BatchOptions,
     dymsum.TableOptions,
     dymsum.MovingSolidOptions,
+    dymsum.FamilyOptions,
 ]
 
 

@@ -87,6 +87,11 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("ScalingSum", lambda f: dymsum.ScalingSum.create(P, Q, moving(f))),
     ("ScalingSum.events", lambda f: dymsum.ScalingSum(P, Q).events(1, Fraction(9, 8), f)),
     ("ScalingSum.next_event", lambda f: dymsum.ScalingSum(P, Q).next_event(1, 8, dymsum.EventChange.topology, f)),
+    ("ScalingFamily", lambda f: dymsum.ScalingFamily(P, Q, 1, Fraction(9, 8), options=dymsum.FamilyOptions(progress=f))),
+    (
+        "ScalingFamily",
+        lambda f: dymsum.ScalingFamily.create(P, Q, 1, Fraction(9, 8), options=dymsum.FamilyOptions(progress=f)),
+    ),
     ("RotatingSum", lambda f: dymsum.RotatingSum(P, Q, moving(f))),
     ("RotatingSum", lambda f: dymsum.RotatingSum.create(P, Q, moving(f))),
     ("scaled_copies", lambda f: dymsum.scaled_copies(P, Q, [dymsum.ScaledCopy(dymsum.Scale.of(2), (0, 0))], moving(f))),

@@ -66,6 +66,7 @@ def made() -> dict[str, Any]:
         continuous,
         dymsum.ScalingSum(REGION, REGION),
         dymsum.RotatingSum(REGION, REGION),
+        dymsum.ScalingFamily(REGION, REGION, 1, 2),
         dymsum.ConvexSum(MESH, MESH),
         dymsum.MovingSolidSum(MESH, MESH),
         dymsum.SolidScaleEvents(MESH, MESH),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import pickle
 from fractions import Fraction
+from pathlib import Path
 
 import numpy
 import pytest
@@ -114,6 +115,31 @@ def test_scaling_follows() -> None:
     assert first is not None and first.s == next(e.s for e in events if e.visible and e.s > 1)
 
 
+def test_families_of_scales(tmp_path: Path) -> None:
+    star, gear = shapes.star(5, 1, 2), shapes.gear(6, 2, 3)
+    family = dymsum.ScalingFamily(star, gear, Fraction(1, 2), 2)
+    moving = dymsum.ScalingSum(star, gear)
+    for s in [Fraction(1, 2), Fraction(7, 5), *(e.s for e in family.events())]:
+        moving.set(s)
+        assert family.at(s) == moving.sum()
+    assert family.changes(1, 2) == [e for e in family.events() if e.visible and e.s >= 1]
+    first = family.next(1)
+    assert first == moving.next_event(1, 2) and family.locate(first.s).event and not family.locate(2).event
+    assert {life.feature for life in family.lifetimes()} >= {dymsum.FamilyFeature.vertex, dymsum.FamilyFeature.edge}
+    assert family.work().cells == len(family.events()) + 1 and (family.low().approx(), family.high().approx()) == (0.5, 2)
+    assert family.inner(1, 2) == family.at(1) and family.outer(1, 2) == family.at(2)  # both are round the origin
+    dymsum.write_file(tmp_path / "x.family.gz", dymsum.format_family(family))
+    for again in (dymsum.read_family(tmp_path / "x.family.gz"), pickle.loads(pickle.dumps(family))):
+        assert dymsum.format_family(again) == dymsum.format_family(family) and again.at(1.25) == family.at(1.25)
+    tall = dymsum.ScalingFamily(star, gear, 1, 2, Fraction(3, 2))
+    moving.set(1.5, 2.25)
+    assert tall.at(1.5) == moving.sum() and tall.ratio() == Scale(1.5)
+    few = dymsum.ScalingFamily(star, gear, 1, 2, options=dymsum.FamilyOptions(structure_bytes=1))
+    for refused in (lambda: few.lifetimes(), lambda: few.inner(1, 2), lambda: family.at(3), lambda: family.outer(2, 1)):
+        with pytest.raises(dymsum.Error):
+            refused()
+
+
 def test_windows_made_ahead_do_not_hang() -> None:
     options = dymsum.MovingOptions(threads=2, progress=lambda stage, share: True)
     sum = dymsum.ScalingSum(shapes.random_polygon(60, 1, 3), shapes.gear(6, 0.2, 0.3), options)
@@ -158,6 +184,9 @@ def test_scale_ranges() -> None:
     lambda: dymsum.cspace_slice(shapes.disc(5, 1), shapes.disc(6, 1), Orientation.half_turn()),
     lambda: dymsum.ScalingSum(shapes.disc(5, 1), shapes.disc(6, 1)).sum(),
     lambda: dymsum.RotatingSum(shapes.disc(5, 1), shapes.disc(6, 1)).sum(),
+    lambda: dymsum.ScalingFamily(shapes.disc(5, 1), shapes.disc(6, 1), 1, 2).at(Fraction(4, 3)),
+    lambda: dymsum.ScalingFamily(shapes.disc(5, 1), shapes.disc(6, 1), 1, 2).inner(1, 2),
+    lambda: dymsum.ScalingFamily(shapes.disc(5, 1), shapes.disc(6, 1), 1, 2).outer(1, 2),
 ])  # fmt: skip
 def test_sums_are_pickled(make: object) -> None:
     sum = make()  # type: ignore[operator]

@@ -50,6 +50,8 @@ const std::vector<Case> kCases = {
     {"scale", "scale frame.wkt square.wkt --sweep 1:2:1/3 --events"},
     {"scale", "scale frame.wkt square.wkt --at 1,2 --robot --scaled q --semantics open"},
     {"scale_copies", "scale frame.wkt square.wkt --copies copies.txt --robot"},
+    {"family", "family frame.wkt square.wkt --scale 1/2:2 --at 1,3/2 --changes --lifetimes --exact"},
+    {"family", "family slot.wkt peg.wkt --scale 1/2:2 --ratio 2 --robot --scaled q --outer 1:2 --inner 1:3/2"},
     {"solid_scale", "scale cube.off cube.off --at 1,1:2:3"},
     {"solid_rotate", "rotate cube.off cube.off --steps 3 --axis 1,2,3"},
     {"solid_rotate", "rotate ell.off cube.off --steps 3 --axis 1,2,3"},

@@ -89,23 +89,29 @@ class OptionTable : public testing::TestWithParam<Section> {
                                             {"moves.txt", "0.25,0,0\n9,9,9\n"},
                                             {"heights.txt", "1/3,9,9\n"},
                                             {"slot.obstacle", obstacle()},
+                                            {"slot.family", family()},
                                             {"viewer.html", kViewer}})
       work.write(file, text);
     const Outcome outcome = work.run("DYMSUM_VIEWER=viewer.html " + command + " < peg.wkt");
     std::string seen = outcome.out + outcome.err;
     for (const char* file : {"out.wkt", "out.svg", "out.off", "out.json", "out.html", "out.glb", "out.poly",
-                             "out.obstacle", "out.jsonl", "out.wkb", "more.svg", "more.json"})
+                             "out.obstacle", "out.family", "out.jsonl", "out.wkb", "more.svg", "more.json"})
       if (work.exists(file)) seen += file + work.read(file);
     return {outcome, without_times(seen)};
   }
+  static std::string made_by(const std::string& command, const std::string& file) {
+    Workplace work;
+    work.write("peg.wkt", kPeg);
+    work.write("slot.wkt", kSlot);
+    EXPECT_EQ(work.run(command + " -o " + file).code, 0);
+    return work.read(file);
+  }
   static std::string obstacle() {
-    static const std::string text = [] {
-      Workplace work;
-      work.write("peg.wkt", kPeg);
-      work.write("slot.wkt", kSlot);
-      EXPECT_EQ(work.run("dymsum cspace peg.wkt slot.wkt -o slot.obstacle").code, 0);
-      return work.read("slot.obstacle");
-    }();
+    static const std::string text = made_by("dymsum cspace peg.wkt slot.wkt", "slot.obstacle");
+    return text;
+  }
+  static std::string family() {
+    static const std::string text = made_by("dymsum family peg.wkt slot.wkt --scale 1/2:2", "slot.family");
     return text;
   }
   static std::string help_of(const std::string& verb) { return Workplace().run("dymsum " + verb + " --help").out; }

@@ -4,6 +4,7 @@
 #include "dymsum/convex_solid.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/decomposition.h"
+#include "dymsum/family.h"
 #include "dymsum/fill.h"
 #include "dymsum/growing_disc.h"
 #include "dymsum/layout_check.h"
@@ -52,6 +53,7 @@ std::vector<Enumerators> enumerations() {
           of<EventChange>("EventChange"),
           of<EventKind>("EventKind"),
           of<FacetChange::Kind>("Kind"),
+          of<FamilyFeature>("FamilyFeature"),
           of<FeatureBar::Birth>("Birth"),
           of<FeatureBar::Death>("Death"),
           of<Fill>("Fill"),

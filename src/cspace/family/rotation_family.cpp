@@ -172,6 +172,9 @@ Result<RotationFamily> RotationFamily::create(const Region& p, const Region& q, 
   return p_moves ? create(*moves, *stays, options) : create(*stays, *moves, options);
 }
 
+const Region& RotationFamily::p() const { return state_->p; }
+const Region& RotationFamily::q() const { return state_->q; }
+const FamilyOptions& RotationFamily::options() const { return state_->options; }
 const std::vector<EventAngle>& RotationFamily::angles() const { return state_->obstacle.angles(); }
 const FamilyWork& RotationFamily::work() const { return state_->work; }
 

@@ -1,13 +1,13 @@
 // Every index is looked at, so that a file that is not what was written is refused before anything is asked of it.
 #include <algorithm>
-#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "cspace/events/walked_rings.h"
 #include "cspace/obstacle/obstacle_start.h"
 #include "dymsum/obstacle_file.h"
 #include "io/obstacle/obstacle_text.h"
 #include "io/read_file.h"
-#include "io/source.h"
 #include "planar/motion/exact_angle.h"
 
 namespace dymsum {
@@ -15,66 +15,20 @@ namespace {
 
 using Json = nlohmann::json;
 using exact::AlgebraicRoot;
+using io::array;
+using io::demand;
+using io::flag;
+using io::index;
+using io::list;
+using io::number;
+using io::whole;
 
-struct Refused {
-  std::string why;
-};
-void demand(bool holds, const char* why) {
-  if (!holds) throw Refused{why};
-}
-
-std::uint64_t whole(const Json& j, std::uint64_t below) {
-  demand(j.is_number_unsigned() && j.get<std::uint64_t>() < below, "an index names nothing, or a count is none");
-  return j.get<std::uint64_t>();
-}
-double number(const Json& j) {
-  demand(j.is_number() && std::isfinite(j.get<double>()), "a number is expected");
-  return j.get<double>();
-}
-const Json& array(const Json& j, std::size_t size) {
-  demand(j.is_array() && j.size() == size, "a list has the wrong length");
-  return j;
-}
-const Json& list(const Json& j) {
-  demand(j.is_array(), "a list is expected");
-  return j;
-}
-bool flag(const Json& j) { return whole(j, 2) != 0; }
-std::uint32_t index(const Json& j, std::size_t count) { return static_cast<std::uint32_t>(whole(j, count)); }
 std::uint32_t index_or_none(const Json& j, std::size_t count) {
   return j == Patch::kNone ? Patch::kNone : index(j, count);
 }
 
-// A polyline, which encloses nothing as a ring.
-bool is_there_and_back(const Ring& ring) {
-  const std::size_t n = ring.size();
-  for (std::size_t k = 1; k < n / 2; ++k)
-    if (ring[k] != ring[n - k]) return false;
-  return n > 0 && n % 2 == 0;
-}
-
-Result<Region> region_of(const Json& parts) {
-  RegionData data;
-  for (const Json& rings : list(parts)) {
-    std::vector<Ring> read;
-    for (const Json& flat : list(rings)) {
-      demand(flat.is_array() && flat.size() % 2 == 0, "a ring is a list of coordinates");
-      Ring& ring = read.emplace_back();
-      for (std::size_t k = 0; k < flat.size(); k += 2) ring.push_back({number(flat[k]), number(flat[k + 1])});
-    }
-    demand(!read.empty(), "a part has no ring");
-    if (read.size() == 1 && is_there_and_back(read[0]))
-      data.polylines.emplace_back(read[0].begin(),
-                                  read[0].begin() + static_cast<std::ptrdiff_t>(read[0].size() / 2 + 1));
-    else if (read.size() == 1 && read[0].size() == 1) data.points.push_back(read[0][0]);
-    else data.parts.push_back({read[0], {read.begin() + 1, read.end()}});
-  }
-  return Region::create(std::move(data));
-}
-
 exact::Big coefficient(const Json& j) {
-  demand(j.is_string(), "a coefficient is a string of digits");
-  const std::string& digits = j.get_ref<const std::string&>();
+  const std::string& digits = io::text(j);
   const std::size_t sign = digits.starts_with('-') ? 1 : 0;
   demand(digits.size() > sign && digits.find_first_not_of("0123456789", sign) == std::string::npos,
          "a coefficient is a string of digits");
@@ -196,21 +150,8 @@ class ContentReader {
   std::size_t angles_ = 0;
 };
 
-Json content_of(std::string_view text) {
-  const Json file = Json::parse(text);
-  demand(file.is_object() && file.value("format", Json()) == io::kObstacleFormat, "this is no file of an obstacle");
-  if (file.value("version", Json()) != io::kObstacleVersion)
-    throw Refused{"version " + file.value("version", Json()).dump() + " of the format; this program reads version " +
-                  std::to_string(io::kObstacleVersion)};
-  const Json content = file.value("content", Json());
-  demand(content.is_object(), "there is no content");
-  demand(file.value("checksum", Json()) == io::checksum(content),
-         "the checksum differs: the file is damaged or was changed");
-  return content;
-}
-
 Result<CspaceObstacle> obstacle_of(const Json& content) {
-  const Result<Region> robot = region_of(content.at("robot")), obstacle = region_of(content.at("obstacle"));
+  const Result<Region> robot = io::region_of(content.at("robot")), obstacle = io::region_of(content.at("obstacle"));
   if (!robot) return robot.error();
   if (!obstacle) return obstacle.error();
   auto state = planar::start_obstacle(*robot, *obstacle);
@@ -222,30 +163,16 @@ Result<CspaceObstacle> obstacle_of(const Json& content) {
 }  // namespace
 
 Result<CspaceObstacle> parse_obstacle(std::string_view text, std::string_view name_for_errors) {
-  Error error{ErrorCode::malformed, "", {}};
-  error.evidence.file = name_for_errors;
-  // Blanks around the object are no token, which the parser would keep, and write out in its error.
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
-  const std::size_t end = std::max(text.find_last_not_of(kBlanks) + 1, begin);
-  try {
-    Result<CspaceObstacle> read = obstacle_of(content_of(text.substr(begin, end - begin)));
-    if (read) return read;
-    error = read.error();
-    if (error.evidence.file.empty()) error.evidence.file = name_for_errors;
-  } catch (const Json::parse_error& e) {
-    // nlohmann says "while parsing" and where; a text that ends too early fails at its end.
-    const std::size_t at = std::min<std::size_t>(begin + e.byte, end);
-    error.code = begin + e.byte > end ? ErrorCode::truncated : ErrorCode::malformed;
-    error.message = error.code == ErrorCode::truncated ? "the file of an obstacle ends too early"
-                                                       : "this is no file of an obstacle";
-    error.evidence.line = io::Source{text, name_for_errors}.line(at);
-  } catch (const Json::exception&) {
-    error.message = "the file of an obstacle lacks an entry";
-  } catch (const Refused& refused) {
-    error.message = "not a file of an obstacle that can be read: " + refused.why;
-  }
-  return error;
+  std::optional<CspaceObstacle> read;
+  const auto use = [&](const Json& content) -> Result<void> {
+    Result<CspaceObstacle> made = obstacle_of(content);
+    if (!made) return made.error();
+    read = *std::move(made);
+    return {};
+  };
+  const Result<void> done = io::read_checked(io::kObstacleFormat, text, name_for_errors, use);
+  if (!done) return done.error();
+  return *std::move(read);
 }
 
 Result<CspaceObstacle> read_obstacle(const std::string& path) {

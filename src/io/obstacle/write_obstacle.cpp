@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <stdexcept>
 
 #include "cspace/boundary/obstacle_state.h"
-#include "cspace/events/walked_rings.h"
 #include "dymsum/obstacle_file.h"
 #include "io/obstacle/obstacle_text.h"
 
@@ -11,28 +9,6 @@ namespace {
 
 using Json = nlohmann::json;
 using exact::AlgebraicRoot;
-
-Json ring_json(const Ring& ring) {
-  Json flat = Json::array();
-  for (const Point& p : ring) {
-    flat.push_back(p.x);
-    flat.push_back(p.y);
-  }
-  return flat;
-}
-
-// A polyline is written as the ring there and back, of two vertices for a segment, and a point as a ring of one.
-Json region_json(const Region& region) {
-  Json parts = Json::array();
-  for (const Part& part : region.parts()) {
-    Json rings = Json::array({ring_json(part.outer)});
-    for (const Ring& hole : part.holes) rings.push_back(ring_json(hole));
-    parts.push_back(std::move(rings));
-  }
-  for (const Polyline& line : region.polylines()) parts.push_back(Json::array({ring_json(planar::walked(line))}));
-  for (const Point& point : region.points()) parts.push_back(Json::array({ring_json({point})}));
-  return parts;
-}
 
 // The polynomial, an interval, and which of its roots there; a double is its own interval.
 Json angle_json(const planar::ExactAngle& angle, const EventAngle& known) {
@@ -89,8 +65,8 @@ Json list_json(const List& list, F&& f) {
 std::string format_obstacle(const CspaceObstacle& obstacle) {
   const planar::ObstacleState& s = planar::ObstacleInternals::of(obstacle);
   Json content;
-  content["robot"] = region_json(s.robot);
-  content["obstacle"] = region_json(s.obstacle);
+  content["robot"] = io::region_json(s.robot);
+  content["obstacle"] = io::region_json(s.obstacle);
   content["angles"] = Json::array();
   for (std::size_t k = 0; k < s.angles.size(); ++k)
     content["angles"].push_back(angle_json(s.exact_angles[k], s.angles[k]));
@@ -111,9 +87,7 @@ std::string format_obstacle(const CspaceObstacle& obstacle) {
   content["patch_cells"] = list_json(s.patch_cells, pairs_json);
   content["touching_cells"] = pairs_json(s.touching_cells);
   content["work"] = work_json(s.work);
-  const Json sum = io::checksum(content);
-  return "{\"format\":" + Json(io::kObstacleFormat).dump() + ",\"version\":" + std::to_string(io::kObstacleVersion) +
-         ",\"checksum\":" + sum.dump() + ",\n\"content\":" + content.dump() + "}\n";
+  return io::format_checked(io::kObstacleFormat, content);
 }
 
 }  // namespace dymsum

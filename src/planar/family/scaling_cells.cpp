@@ -63,9 +63,7 @@ class CellVisitor final : public EventVisitor {
     return true;
   }
   void add(const ScalingState& state) {
-    const std::uint32_t first = cells_.structures.add(state.sum, state.ring_ids);
-    const double at = std::max(state.scale.approx(), state.scale_y.approx());
-    cells_.positions->add(std::span(cells_.structures.names()).subspan(first), at);
+    cells_.add_cell(state.sum, state.ring_ids, std::max(state.scale.approx(), state.scale_y.approx()));
   }
 
  private:
@@ -75,7 +73,7 @@ class CellVisitor final : public EventVisitor {
 /// diag(x, y) with y = ratio x, as the path that windows can serve.
 Result<ScalingCells> cells_along(std::shared_ptr<const OperandPair> base, const Scale& ratio,
                                  const FamilyOptions& options) {
-  ScalingCells cells{{base, base, {}}, 1, true, {}, SumStructures(options.structure_bytes), nullptr};
+  ScalingCells cells{{base, base, {}}, 1, true, {}, SumStructures(options.structure_bytes), {}, nullptr};
   const BigRational r = rational(scale_value(ratio));
   if (r != 1) {
     const Factors factors = factors_of({}, scale_value(r));
@@ -95,13 +93,17 @@ Result<ScalingCells> cells_along(std::shared_ptr<const OperandPair> base, const 
 
 }  // namespace
 
+Result<ScalingCells> empty_cells(const Region& p, const Region& q, const Scale& ratio, const FamilyOptions& options) {
+  Result<std::shared_ptr<const OperandPair>> base = pair_of_regions(p, q, moving_options(options));
+  if (!base) return base.error();
+  if (std::optional<Error> error = without_events(**base)) return *std::move(error);
+  return cells_along(*base, ratio, options);
+}
+
 Result<ScalingCells> scaling_cells(const Region& p, const Region& q, const Scale& low, const Scale& high,
                                    const Scale& ratio, const FamilyOptions& options) {
   const MovingOptions moving = moving_options(options);
-  Result<std::shared_ptr<const OperandPair>> base = pair_of_regions(p, q, moving);
-  if (!base) return base.error();
-  if (std::optional<Error> error = without_events(**base)) return *std::move(error);
-  Result<ScalingCells> made = cells_along(*base, ratio, options);
+  Result<ScalingCells> made = empty_cells(p, q, ratio, options);
   if (!made) return made;
   ScalingCells cells = *std::move(made);
   const BigRational from = rational(scale_value(low)) * cells.unit, to = rational(scale_value(high)) * cells.unit;
@@ -112,12 +114,23 @@ Result<ScalingCells> scaling_cells(const Region& p, const Region& q, const Scale
   const Result<void> done = walk_events(cells.path, moving, from, to, options.progress, visitor);
   if (!done) return done.error();
   if (cells.events.empty()) {
-    ScalingState state(*base, moving);
+    ScalingState state(cells.path.given, moving);
     const Result<FrameChanges> moved = state.begin([&] { return state.move_to((*first)[0], (*first)[1]); });
     if (!moved) return moved.error();
     visitor.add(state);
   }
   return cells;
+}
+
+void ScalingCells::add_cell(const PlanarSum& sum, std::span<const std::uint64_t> rings, double at) {
+  const std::uint32_t first = structures.add(sum, rings);
+  positions->add(std::span(structures.names()).subspan(first), at);
+  named_at.push_back(at);
+}
+
+void ScalingCells::add_dropped_cell() {
+  structures.add_dropped();
+  named_at.push_back(0);
 }
 
 Result<std::array<Scale, 2>> ScalingCells::scales(const BigRational& t) const {

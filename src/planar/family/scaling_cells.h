@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "dymsum/event.h"
@@ -21,6 +22,7 @@ struct ScalingCells {
   bool unit_is_one = true;
   std::vector<ScaleEvent> events;  ///< of the family, in order
   SumStructures structures;        ///< of cell k, between events k - 1 and k
+  std::vector<double> named_at;    ///< of cell k: the scale of `path` at which its new names stand on the boundary
   std::unique_ptr<ScaledPositions> positions;
 
   struct Location {
@@ -31,6 +33,10 @@ struct ScalingCells {
   Location locate(const Scale& s) const;
   /// The scales along both axes at a scale t of `path`. Errors: bad_scale.
   Result<std::array<Scale, 2>> scales(const exact::BigRational& t) const;
+  /// Takes over the structure of the next cell: that of a sum in it, at a scale of `path`.
+  void add_cell(const PlanarSum& sum, std::span<const std::uint64_t> rings, double at);
+  /// The next cell, whose structure is not kept.
+  void add_dropped_cell();
   /// The sum at a scale. Requires: it lies in the interval. Errors: as sums from scratch.
   Result<PlanarSum> at(const Scale& s, Semantics semantics) const;
 
@@ -40,6 +46,9 @@ struct ScalingCells {
   Result<PlanarSum> from_scratch(const Scale& s, Semantics semantics) const;
   PlanarSum in_cell(std::uint32_t cell, const Scale& s) const;
 };
+
+/// A family without events and cells yet. Errors: those of ScalingFamily::create for operands and ratio.
+Result<ScalingCells> empty_cells(const Region& p, const Region& q, const Scale& ratio, const FamilyOptions& options);
 
 /// Errors: those of ScalingFamily::create.
 Result<ScalingCells> scaling_cells(const Region& p, const Region& q, const Scale& low, const Scale& high,

@@ -6,58 +6,13 @@
 #include "base/stopwatch.h"
 #include "base/within_memory.h"
 #include "dymsum/planar_operand.h"
-#include "planar/family/scaling_cells.h"
+#include "planar/family/family_state.h"
 #include "planar/family/swept_sets.h"
 
 namespace dymsum {
 
 using namespace planar;
 using exact::BigRational;
-
-namespace {
-
-Error empty_interval(const Scale& low, const Scale& high) {
-  return {ErrorCode::bad_scale,
-          "the interval of scales is empty: " + low.exact().to_string() + " > " + high.exact().to_string(),
-          {}};
-}
-
-}  // namespace
-
-class ScalingFamily::State {
- public:
-  Region p, q;
-  Scale low, high, ratio;
-  FamilyOptions options;
-  ScalingCells cells;
-  FamilyWork work;
-
-  /// The error of a scale outside the interval.
-  std::optional<Error> outside(const Scale& s) const {
-    // Rounding is monotone: where doubles differ, scales do.
-    if (s.approx() > low.approx() && s.approx() < high.approx()) return std::nullopt;
-    const BigRational value = rational(scale_value(s));
-    if (value >= rational(scale_value(low)) && value <= rational(scale_value(high))) return std::nullopt;
-    return Error{ErrorCode::bad_scale,
-                 "the scale " + s.exact().to_string() + " is outside of the family's interval, " +
-                     low.exact().to_string() + " to " + high.exact().to_string(),
-                 {}};
-  }
-  /// The error of an interval that is empty or reaches outside.
-  std::optional<Error> outside(const Scale& a, const Scale& b) const {
-    if (rational(scale_value(a)) > rational(scale_value(b))) return empty_interval(a, b);
-    std::optional<Error> error = outside(a);
-    return error ? error : outside(b);
-  }
-  /// The error of structures that are not all kept.
-  std::optional<Error> not_all_kept(const char* what) const {
-    if (work.kept == work.cells) return std::nullopt;
-    return Error{ErrorCode::out_of_memory,
-                 "of " + std::to_string(work.cells) + " structures " + std::to_string(work.kept) + " are kept: " +
-                     what + " need all of them, allow more than " + std::to_string(options.structure_bytes) + " bytes",
-                 {}};
-  }
-};
 
 ScalingFamily::ScalingFamily(std::unique_ptr<const State> state) : state_(std::move(state)) {}
 ScalingFamily::ScalingFamily(ScalingFamily&&) noexcept = default;
@@ -66,24 +21,10 @@ ScalingFamily::~ScalingFamily() = default;
 
 namespace {
 
-BigRational value_of(const Scale& s) { return rational(scale_value(s)); }
-
 /// The options that queries need: a progress is of the making alone.
 FamilyOptions at_rest(FamilyOptions options) {
   options.progress = {};
   return options;
-}
-
-FamilyWork work_of(const ScalingCells& cells) {
-  FamilyWork work;
-  work.events = cells.events.size();
-  work.visible = static_cast<std::uint64_t>(
-      std::count_if(cells.events.begin(), cells.events.end(), [](const ScaleEvent& e) { return e.visible; }));
-  work.cells = cells.structures.cell_count();
-  work.kept = cells.structures.kept_count();
-  work.names = cells.structures.names().size();
-  work.bytes = cells.structures.bytes();
-  return work;
 }
 
 }  // namespace
@@ -96,7 +37,7 @@ Result<ScalingFamily> ScalingFamily::create(const Region& p, const Region& q, co
 Result<ScalingFamily> ScalingFamily::create(const Region& p, const Region& q, const Scale& low, const Scale& high,
                                             const Scale& ratio, const FamilyOptions& options) {
   const Stopwatch watch;
-  if (value_of(low) > value_of(high)) return empty_interval(low, high);
+  if (std::optional<Error> error = empty_interval(low, high)) return *std::move(error);
   Result<ScalingCells> cells = base::within_memory(options.memory, "the family of sums",
                                                    [&] { return scaling_cells(p, q, low, high, ratio, options); });
   if (!cells) return cells.error();
@@ -106,6 +47,9 @@ Result<ScalingFamily> ScalingFamily::create(const Region& p, const Region& q, co
       std::make_unique<State>(State{p, q, low, high, ratio, at_rest(options), *std::move(cells), work}));
 }
 
+const Region& ScalingFamily::p() const { return state_->p; }
+const Region& ScalingFamily::q() const { return state_->q; }
+const FamilyOptions& ScalingFamily::options() const { return state_->options; }
 const Scale& ScalingFamily::low() const { return state_->low; }
 const Scale& ScalingFamily::high() const { return state_->high; }
 const Scale& ScalingFamily::ratio() const { return state_->ratio; }

@@ -49,7 +49,7 @@ SumStructures::Pieces SumStructures::add_pieces(const PlanarSum& sum) {
 std::uint32_t SumStructures::add(const PlanarSum& sum, std::span<const std::uint64_t> identities) {
   const auto first_new = static_cast<std::uint32_t>(names_.size());
   if (most_bytes_ != 0 && bytes() > most_bytes_) {
-    cells_.push_back({0, 0, {}, false});
+    add_dropped();
     return first_new;
   }
   Cell cell;

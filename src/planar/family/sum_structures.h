@@ -23,6 +23,9 @@ class SumStructures {
   /// ring first, or none. Returns the first new name.
   std::uint32_t add(const PlanarSum& sum, std::span<const std::uint64_t> rings);
 
+  /// Appends a cell whose structure is not kept.
+  void add_dropped() { cells_.push_back({0, 0, {}, false}); }
+
   /// The vertices that are named; `at` of each is where it stood when it was first named.
   const std::vector<SumVertex>& names() const { return names_; }
   std::uint32_t cell_count() const { return static_cast<std::uint32_t>(cells_.size()); }
@@ -42,15 +45,22 @@ class SumStructures {
     return std::span(items_).subspan(ring.first, ring.last - ring.first);
   }
 
+  /// What a sum has beside rings: names of segments, points, tight segments and tight points, in this order.
+  struct Pieces {
+    std::uint32_t first = 0, segments = 0, points = 0, tight_segments = 0, tight_points = 0;
+    std::uint32_t count() const { return 2 * (segments + tight_segments) + points + tight_points; }
+  };
+  const Pieces& pieces(std::uint32_t cell) const { return cells_[cell].pieces; }
+  std::span<const std::uint32_t> vertices(const Pieces& pieces) const {
+    return std::span(items_).subspan(pieces.first, pieces.count());
+  }
+
   /// The sum of a cell, put(name, vertex) makes a name a vertex at its position and returns the error of that. Not in
   /// canonical order: rings begin where they did when they were added. Requires: the structure is kept.
   template <class Put>
   void write(std::uint32_t cell, const Put& put, PlanarSum& sum) const;
 
  private:
-  struct Pieces {
-    std::uint32_t first = 0, segments = 0, points = 0, tight_segments = 0, tight_points = 0;
-  };
   struct Cell {
     std::uint32_t first_ring = 0, last_ring = 0;
     Pieces pieces;
