@@ -27,19 +27,36 @@ struct ScaleAxis {
 
 ScaleAxis axis_of(const ScalingFamily& family) { return {family.low().approx(), family.high().approx()}; }
 
-/// 1, 2, 5, 10 and so on, or where there are few of them evenly spaced scales.
-std::vector<double> labelled_scales(const ScaleAxis& axis) {
+/// 1, 2, 5, 10 and so on; of many decades powers of ten alone, of very many not all.
+std::vector<double> digits_of_decades(const ScaleAxis& axis) {
+  constexpr int kMostDecades = 6, kMostPowers = 14;
   std::vector<double> scales;
   const int least = static_cast<int>(std::floor(std::log10(axis.low)));
   const int most = static_cast<int>(std::ceil(std::log10(axis.high)));
-  for (int power = least; power <= most && most - least < 12; ++power)
+  const int every = 1 + (most - least) / kMostPowers;
+  for (int power = least; power <= most; ++power)
     for (const double digit : {1.0, 2.0, 5.0})
-      if (const double s = digit * std::pow(10.0, power); s >= axis.low && s <= axis.high) scales.push_back(s);
-  if (scales.size() >= 4) return scales;
-  scales.clear();
-  const int count = axis.low < axis.high ? 6 : 1;
-  for (int k = 0; k < count; ++k)
-    scales.push_back(axis.low * std::pow(axis.high / axis.low, count == 1 ? 0 : double(k) / (count - 1)));
+      if (digit == 1 ? power % every == 0 : most - least <= kMostDecades)
+        scales.push_back(digit * std::pow(10.0, power));
+  return scales;
+}
+
+/// Multiples of a round number, not more than eight.
+std::vector<double> multiples_in(const ScaleAxis& axis) {
+  const double range = axis.high - axis.low;
+  if (!(range > 0)) return {axis.low};
+  double step = std::pow(10.0, std::floor(std::log10(range)) - 1);
+  for (int k = 0; range / step > 8; ++k) step *= k % 3 == 1 ? 2.5 : 2;
+  std::vector<double> scales;
+  for (double n = std::ceil(axis.low / step); n * step <= axis.high; ++n) scales.push_back(n * step);
+  return scales;
+}
+
+/// Round scales of the interval.
+std::vector<double> labelled_scales(const ScaleAxis& axis) {
+  constexpr double kFewDecades = 8;
+  std::vector<double> scales = axis.high / axis.low < kFewDecades ? multiples_in(axis) : digits_of_decades(axis);
+  std::erase_if(scales, [&](double s) { return s < axis.low || s > axis.high; });
   return scales;
 }
 
