@@ -27,6 +27,10 @@ def _family(value: Any) -> str:
     return f"<ScalingFamily: {value.low().exact()} to {value.high().exact()}, {value.work().cells} cells>"
 
 
+def _turn(value: Any) -> str:
+    return f"<RotationFamily: {value.work().cells} cells>"
+
+
 def _region_data(value: Any) -> str:
     return f"<RegionData: {len(value.parts)} parts, {len(value.polylines)} polylines, {len(value.points)} points>"
 
@@ -36,4 +40,5 @@ for _kind in list(vars(_core).values()):
         setattr(_kind, "__repr__", _short)
 setattr(_core.CspaceObstacle, "__repr__", _obstacle)
 setattr(_core.ScalingFamily, "__repr__", _family)
+setattr(_core.RotationFamily, "__repr__", _turn)
 setattr(_core.RegionData, "__repr__", _region_data)

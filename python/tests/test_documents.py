@@ -47,7 +47,7 @@ def run(text: str, name: str) -> None:
 #: What is called most.
 COMMON = """minkowski_sum nfp nfp_each erode union_of rotated_sum contains contains_each SumLocator PlanarSum PlanarSum.exact
 PlanarSum.rounded Region area bounds negated translated scaled repair grown parse_shapes format_region ScalingSum RotatingSum
-ScalingFamily Scale Orientation Orientation.of_degrees Rotation Rotation.about_degrees AxisTurn scale_range CspaceObstacle
+ScalingFamily RotationFamily Scale Orientation Orientation.of_degrees Rotation Rotation.about_degrees AxisTurn scale_range CspaceObstacle
 cspace_slice ObstacleQueries ObstacleQueries.free_angles check_translation plan Mesh volume convex_hull ConvexSum
 SpatialSum opening slice_of_sum MovingSolidSum posed_sums SolidScaleEvents SolidRotationEvents SolidDepth PlanarDepth
 penetration_depth depth_batch ContinuousDepth NfpTable parse_nesting_instance GrowingDisc ShapeFeatures decompose""".split()

@@ -70,6 +70,7 @@ def samples() -> list[Any]:
         dymsum.ScalingSum(unit, unit),
         dymsum.RotatingSum(unit, unit),
         dymsum.ScalingFamily(unit, unit, 1, 2),
+        dymsum.RotationFamily(unit, unit),
         dymsum.fit_range(unit, unit),
         dymsum.GrowingDisc(unit),
         dymsum.GrowingDisc(unit).sum_at(1),

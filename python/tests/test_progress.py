@@ -35,6 +35,9 @@ POSES = numpy.array([[-9, 9 - k / 100, 0] for k in range(200)])
 Progress = Callable[[str, float], Any]
 
 
+EAST, NORTH = dymsum.Orientation(), dymsum.Orientation.parse("1")
+
+
 def planar(progress: Progress) -> dymsum.SumOptions:
     return dymsum.SumOptions(progress=progress)
 
@@ -87,6 +90,10 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("ScalingSum", lambda f: dymsum.ScalingSum.create(P, Q, moving(f))),
     ("ScalingSum.events", lambda f: dymsum.ScalingSum(P, Q).events(1, Fraction(9, 8), f)),
     ("ScalingSum.next_event", lambda f: dymsum.ScalingSum(P, Q).next_event(1, 8, dymsum.EventChange.topology, f)),
+    ("RotationFamily", lambda f: dymsum.RotationFamily(P, Q, dymsum.FamilyOptions(progress=f))),
+    ("RotationFamily", lambda f: dymsum.RotationFamily.create(P, Q, options=dymsum.FamilyOptions(progress=f))),
+    ("outer_rotated_sum", lambda f: dymsum.outer_rotated_sum(P, Q, EAST, NORTH, 1, dymsum.FamilyOptions(progress=f))),
+    ("inner_rotated_sum", lambda f: dymsum.inner_rotated_sum(P, Q, EAST, NORTH, 1, dymsum.FamilyOptions(progress=f))),
     ("ScalingFamily", lambda f: dymsum.ScalingFamily(P, Q, 1, Fraction(9, 8), options=dymsum.FamilyOptions(progress=f))),
     (
         "ScalingFamily",
