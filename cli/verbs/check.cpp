@@ -49,7 +49,7 @@ Json fault_json(const LayoutFault& fault) {
           {"at", {fault.at.x, fault.at.y}}};
 }
 
-Json check_json(const CheckCommand& command, const Checked& all, const Timing& timing) {
+Json layouts_json(const CheckCommand& command, const Checked& all, const Timing& timing) {
   Json layouts = Json::array();
   for (std::size_t k = 0; k < all.layouts.size(); ++k) {
     const LayoutCheck& check = all.checks[k];
@@ -101,11 +101,11 @@ T required(Result<T> result) {
   return std::move(result).value();
 }
 
-void write_pictures(const CheckCommand& command, const Checked& all) {
+void write_layout_pictures(const CheckCommand& command, const Checked& all) {
   for (const std::string& file : command.outputs) write_text(file, layout_picture(all.layouts[0], all.checks[0]));
 }
 
-ExitCode run_check(const CheckCommand& command) {
+ExitCode run_layout_check(const CheckCommand& command) {
   for (const std::string& file : command.outputs)
     if (!file.ends_with(".svg")) throw Stop(kUsage, "check writes pictures (.svg), not '" + file + "'");
   Checked all{required(read_layouts(command.file)), {}};
@@ -120,8 +120,8 @@ ExitCode run_check(const CheckCommand& command) {
     return each;
   });
   all.checks = std::move(checks);
-  write_pictures(command, all);
-  if (command.report.json) print_report(check_json(command, all, timing));
+  write_layout_pictures(command, all);
+  if (command.report.json) print_report(layouts_json(command, all, timing));
   else {
     print_text(all);
     print_times(std::cout, timing);
@@ -147,7 +147,7 @@ void add_check(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   add_report_options(verb, command->report, "Check N times and report the median and minimum time");
   verb.footer("Example: dymsum check layout.json --spacing 2 -o faults.svg\nExit 0: right; 4: wrong.");
-  verb.callback([command, &action] { action = [command] { return run_check(*command); }; });
+  verb.callback([command, &action] { action = [command] { return run_layout_check(*command); }; });
 }
 
 }  // namespace dymsum::cli

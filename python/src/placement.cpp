@@ -105,7 +105,8 @@ void bind_placement_calls(nb::class_<Placement>& type) {
           [](Placement& self, std::uint32_t shape, const RationalPoint& at) { return take(self.add_part(shape, at)); },
           "shape"_a, "at"_a, "The index of the part. It may overlap others.")
       .def(
-          "move", [](Placement& self, std::uint32_t part, const RationalPoint& at) { take(self.move_part(part, at)); },
+          "move_part",
+          [](Placement& self, std::uint32_t part, const RationalPoint& at) { take(self.move_part(part, at)); },
           "part"_a, "at"_a)
       .def(
           "remove_part", [](Placement& self, std::uint32_t part) { take(self.remove_part(part)); }, "part"_a)

@@ -250,8 +250,10 @@ class SetBuilder {
       outer.push_back(turn(arcs_[(*least)[0]].edge, arcs_[(*least)[1]].edge) > 0);
       SumRing& ring = rings.emplace_back();
       for (const auto& c : corners) ring.vertices.push_back(vertex(node(c), SetVertex::Of::part));
-      for (std::size_t k = 0; k < ring.vertices.size(); ++k)
+      for (std::size_t k = 0; k < ring.vertices.size(); ++k) {
         ring.vertices[k].in.p = ring.vertices[k == 0 ? ring.vertices.size() - 1 : k - 1].corner_p;
+        vertices_[node(corners[k])].vertex = ring.vertices[k];  // as it is in the set
+      }
     }
     out_.set.parts = planar::group_rings(std::move(rings), outer, *source_, error_);
   }

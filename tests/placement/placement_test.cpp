@@ -178,6 +178,9 @@ TEST(Placement, KeepsExactFits) {
   ASSERT_EQ(only.set.points.size(), 1u);
   EXPECT_EQ(only.candidates[0].kind, CandidatePosition::Kind::point);
   EXPECT_EQ(only.set.exact(only.set.points[0]), at(4, 0));
+  const FeasiblePositions around = *placement.feasible(*placement.add_shape(box(0, 0, 1, 1)));
+  ASSERT_EQ(around.candidates.size(), 4u);
+  EXPECT_EQ(around.candidates[0].vertex.in, around.set.parts[0].outer.vertices[0].in);
   EXPECT_TRUE(*placement.is_free(square, at(4, 0)));
   EXPECT_FALSE(*placement.is_free(square, {*Rational::parse("4000000000000000000001/1000000000000000000000"), 0}));
 }
