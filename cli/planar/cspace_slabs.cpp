@@ -38,17 +38,17 @@ double reach_of(const Region& robot) {
   return std::hypot(std::max(std::abs(x0), std::abs(x1)), std::max(std::abs(y0), std::abs(y1))) * (1 + 0x1p-40);
 }
 
-/// The grid of all maps: a border of one cell around whatever the robot can hit.
+/// The grid of all maps: a rim of one cell around whatever the robot can hit.
 void lay_grid(const std::vector<Input>& inputs, const SlabOptions& options, SlabMaps& maps) {
   const auto [x0, y0, x1, y1] = bounds(inputs[1].region);
   const double reach = reach_of(inputs[0].region), side = std::max(x1 - x0, y1 - y0) + 2 * reach;
   maps.tolerance = options.tolerance * side;
   maps.cell = options.resolution > 0 ? options.resolution : side / kCellsAlong;
-  const double border = reach + 2 * maps.tolerance + maps.cell;
-  maps.x = x0 - border;
-  maps.y = y0 - border;
-  const double across = std::ceil((x1 + border - maps.x) / maps.cell),
-               up = std::ceil((y1 + border - maps.y) / maps.cell);
+  const double rim = reach + 2 * maps.tolerance + maps.cell;
+  maps.x = x0 - rim;
+  maps.y = y0 - rim;
+  const double across = std::ceil((x1 + rim - maps.x) / maps.cell),
+               up = std::ceil((y1 + rim - maps.y) / maps.cell);
   if (!(across * up <= static_cast<double>(kMostCells)))
     throw Stop(kUsage, "--resolution: " + digits_of(maps.cell) + " makes maps of more than " +
                            std::to_string(kMostCells) + " cells");
@@ -129,7 +129,7 @@ void write_slab_maps(const SlabMaps& maps) {
   }
 }
 
-Json slab_json(const SlabMaps& maps, const std::vector<Input>& inputs) {
+Json slab_json(const SlabMaps& maps, const std::vector<Input>& inputs, const Timing& timing) {
   Json slabs = Json::array();
   for (const SlabMap& slab : maps.slabs)
     slabs.push_back({{"from", slab.from},
@@ -137,14 +137,14 @@ Json slab_json(const SlabMaps& maps, const std::vector<Input>& inputs) {
                      {"vertices", slab.set.vertex_count()},
                      {"area", slab.set.area()},
                      {"blocked", blocked_count(slab)}});
-  return {{"verb", "cspace"},
-          {"inputs", inputs_json(inputs)},
-          {"folder", maps.folder},
-          {"cell", maps.cell},
-          {"width", maps.width},
-          {"height", maps.height},
-          {"tolerance", maps.tolerance},
-          {"slabs", std::move(slabs)}};
+  Json json = report_head("cspace", inputs_json(inputs), maps.slabs[0].set.stats.tier_bits, timing);
+  json.update({{"folder", maps.folder},
+               {"cell", maps.cell},
+               {"width", maps.width},
+               {"height", maps.height},
+               {"tolerance", maps.tolerance},
+               {"slabs", std::move(slabs)}});
+  return json;
 }
 
 void print_slabs(std::ostream& out, const SlabMaps& maps) {

@@ -10,6 +10,7 @@
 #include "dymsum/progress.h"
 #include "inputs.h"
 #include "report.h"
+#include "timing.h"
 
 namespace dymsum::cli {
 
@@ -39,7 +40,7 @@ struct SlabMaps {
 SlabMaps slab_maps(const std::vector<Input>& inputs, const SlabOptions& options, const std::string& folder);
 /// slab_000.pgm, .yaml and .wkt and so on; the folder is made where it is missing.
 void write_slab_maps(const SlabMaps& maps);
-Json slab_json(const SlabMaps& maps, const std::vector<Input>& inputs);
+Json slab_json(const SlabMaps& maps, const std::vector<Input>& inputs, const Timing& timing);
 void print_slabs(std::ostream& out, const SlabMaps& maps);
 
 }  // namespace dymsum::cli

@@ -36,6 +36,8 @@ struct CspaceCommand {
   InputOptions input;
 };
 
+constexpr double kSlabTolerance = 0.01;  // if none is given
+
 bool is_glb(const std::string& file) { return file.ends_with(".glb"); }
 
 bool is_strip(const std::string& file) { return file.ends_with(".svg"); }
@@ -147,12 +149,14 @@ ExitCode run_cspace(const CspaceCommand& command) {
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   if (command.slabs > 0) {
-    const SlabMaps maps =
-        slab_maps(inputs, {command.slabs, command.tolerance, command.resolution, bar->callback()}, command.files[0]);
+    const auto [maps, timing] = timed(command.report.repeat, [&] {
+      const double tolerance = command.parser->count("--tolerance") > 0 ? command.tolerance : kSlabTolerance;
+      return slab_maps(inputs, {command.slabs, tolerance, command.resolution, bar->callback()}, command.files[0]);
+    });
     bar.reset();
     throw_if_interrupted();
     write_slab_maps(maps);
-    if (command.report.json) print_report(slab_json(maps, inputs));
+    if (command.report.json) print_report(slab_json(maps, inputs, timing));
     else print_slabs(std::cout, maps);
     return kDone;
   }
@@ -199,8 +203,9 @@ void add_cspace(CLI::App& app, Action& action) {
                          "With --slabs: the size of a cell; a 256th of the longer side if not given"),
          1e-300, 1e300)
       ->type_name("SIZE");
-  within(verb.add_option("--tolerance", command->tolerance,
-                         "Largest error of the mesh, or with --slabs of the sets, as a share of the extent"),
+  within(verb.add_option(
+             "--tolerance", command->tolerance,
+             "Largest error of the mesh, or with --slabs of the sets (0.01 then), as a fraction of the extent"),
          1e-6, 1)
       ->type_name("T")
       ->capture_default_str();

@@ -171,16 +171,16 @@ Remembered<PlanarSum> turned_set(const char* function, Work&& work, const Region
 void bind_rotation_sets(nb::module_& m) {
   m.def(
       "outer_rotated_sum",
-      [](const RegionArgument& p, const RegionArgument& q, const Orientation& a, const Orientation& b,
-         double tolerance, const FamilyOptions& options) {
+      [](const RegionArgument& p, const RegionArgument& q, const Orientation& a, const Orientation& b, double tolerance,
+         const FamilyOptions& options) {
         return turned_set("outer_rotated_sum", outer_rotated_sum, p, q, a, b, tolerance, options);
       },
       "p"_a, "q"_a, "a"_a, "b"_a, "tolerance"_a, "options"_a = FamilyOptions(),
       "A set that holds the sums at all angles from a to b, within tolerance. Raises Error: out_of_range.");
   m.def(
       "inner_rotated_sum",
-      [](const RegionArgument& p, const RegionArgument& q, const Orientation& a, const Orientation& b,
-         double tolerance, const FamilyOptions& options) {
+      [](const RegionArgument& p, const RegionArgument& q, const Orientation& a, const Orientation& b, double tolerance,
+         const FamilyOptions& options) {
         return turned_set("inner_rotated_sum", inner_rotated_sum, p, q, a, b, tolerance, options);
       },
       "p"_a, "q"_a, "a"_a, "b"_a, "tolerance"_a, "options"_a = FamilyOptions(),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/poll.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/planar_boolean.h"
 #include "dymsum/planar_operand.h"
@@ -65,6 +66,10 @@ Result<Steps> steps_of(const RotatedOperands& operands, const Orientation& a, co
   return steps;
 }
 
+bool stopped(const Progress& progress, std::size_t done, std::size_t all) {
+  return progress && !progress("orientations", static_cast<double>(done) / static_cast<double>(all));
+}
+
 Region origin() { return Region::create({{}, {}, {Point{0, 0}}}).value(); }
 
 SumOptions regular() {
@@ -81,11 +86,12 @@ RotatedOperands rotated_operands(const Region& p, const Region& q, bool p_moves,
 }
 
 Result<PlanarSum> outer_set(const RotatedOperands& operands, const Orientation& a, const Orientation& b,
-                            double tolerance) {
+                            double tolerance, const Progress& progress) {
   const Result<Steps> steps = steps_of(operands, a, b, tolerance);
   if (!steps) return steps.error();
   std::vector<PlanarSum> sums;
   for (const Orientation& theta : steps->orientations) {
+    if (stopped(progress, sums.size(), steps->orientations.size())) return cancelled();
     Result<PlanarSum> sum = rotated_sum(operands.moves, operands.stays, theta);
     if (sum && steps->rho > 0) sum = minkowski_sum(*sum, octagon(steps->rho));
     if (!sum) return sum;
@@ -96,11 +102,12 @@ Result<PlanarSum> outer_set(const RotatedOperands& operands, const Orientation& 
 }
 
 Result<PlanarSum> inner_set(const RotatedOperands& operands, const Orientation& a, const Orientation& b,
-                            double tolerance) {
+                            double tolerance, const Progress& progress) {
   const Result<Steps> steps = steps_of(operands, a, b, tolerance);
   if (!steps) return steps.error();
   std::vector<PlanarSum> sums;
   for (const Orientation& theta : steps->orientations) {
+    if (stopped(progress, sums.size(), steps->orientations.size())) return cancelled();
     Result<PlanarSum> rotated = rotated_sum(operands.moves, origin(), theta, regular());
     if (rotated && steps->rho > 0) rotated = erode(*rotated, octagon(steps->rho), regular());
     if (!rotated) return rotated;

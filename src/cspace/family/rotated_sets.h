@@ -3,6 +3,7 @@
 
 #include "dymsum/orientation.h"
 #include "dymsum/planar_sum.h"
+#include "dymsum/progress.h"
 #include "dymsum/region.h"
 
 namespace dymsum::planar {
@@ -18,9 +19,9 @@ RotatedOperands rotated_operands(const Region& p, const Region& q, bool p_moves,
 /// the disc stands for it. Cost: that of 1.1 r w / (2 tolerance) sums, r being how far the rotating operand reaches and
 /// w the width of the interval in radians, and of a union of them.
 Result<PlanarSum> outer_set(const RotatedOperands& operands, const Orientation& a, const Orientation& b,
-                            double tolerance);
+                            double tolerance, const Progress& progress);
 Result<PlanarSum> inner_set(const RotatedOperands& operands, const Orientation& a, const Orientation& b,
-                            double tolerance);
+                            double tolerance, const Progress& progress);
 
 /// The region moved, where that rounds nothing. Errors: unsupported_operand with the vertex.
 Result<Region> translated_exactly(const Region& region, Point by);

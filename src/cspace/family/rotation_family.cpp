@@ -224,21 +224,21 @@ RotatedOperands operands_of(const Region& p, const Region& q, const FamilyOption
 }  // namespace
 
 Result<PlanarSum> RotationFamily::outer(const Orientation& a, const Orientation& b, double tolerance) const {
-  return outer_set(operands_of(state_->p, state_->q, state_->options), a, b, tolerance);
+  return outer_set(operands_of(state_->p, state_->q, state_->options), a, b, tolerance, {});
 }
 
 Result<PlanarSum> RotationFamily::inner(const Orientation& a, const Orientation& b, double tolerance) const {
-  return inner_set(operands_of(state_->p, state_->q, state_->options), a, b, tolerance);
+  return inner_set(operands_of(state_->p, state_->q, state_->options), a, b, tolerance, {});
 }
 
 Result<PlanarSum> outer_rotated_sum(const Region& p, const Region& q, const Orientation& a, const Orientation& b,
                                     double tolerance, const FamilyOptions& options) {
-  return outer_set(operands_of(p, q, options), a, b, tolerance);
+  return outer_set(operands_of(p, q, options), a, b, tolerance, options.progress);
 }
 
 Result<PlanarSum> inner_rotated_sum(const Region& p, const Region& q, const Orientation& a, const Orientation& b,
                                     double tolerance, const FamilyOptions& options) {
-  return inner_set(operands_of(p, q, options), a, b, tolerance);
+  return inner_set(operands_of(p, q, options), a, b, tolerance, options.progress);
 }
 
 }  // namespace dymsum
