@@ -67,6 +67,8 @@ def made() -> dict[str, Any]:
         dymsum.ScalingSum(REGION, REGION),
         dymsum.RotatingSum(REGION, REGION),
         dymsum.ScalingFamily(REGION, REGION, 1, 2),
+        dymsum.RotationFamily(REGION, REGION),
+        dymsum.Placement(REGION),
         dymsum.ConvexSum(MESH, MESH),
         dymsum.MovingSolidSum(MESH, MESH),
         dymsum.SolidScaleEvents(MESH, MESH),
