@@ -47,8 +47,7 @@ void lay_grid(const std::vector<Input>& inputs, const SlabOptions& options, Slab
   const double rim = reach + 2 * maps.tolerance + maps.cell;
   maps.x = x0 - rim;
   maps.y = y0 - rim;
-  const double across = std::ceil((x1 + rim - maps.x) / maps.cell),
-               up = std::ceil((y1 + rim - maps.y) / maps.cell);
+  const double across = std::ceil((x1 + rim - maps.x) / maps.cell), up = std::ceil((y1 + rim - maps.y) / maps.cell);
   if (!(across * up <= static_cast<double>(kMostCells)))
     throw Stop(kUsage, "--resolution: " + digits_of(maps.cell) + " makes maps of more than " +
                            std::to_string(kMostCells) + " cells");
