@@ -75,11 +75,12 @@ TEST_F(LongWork, QuestionsAndScaleRangesEndAtOnce) {
   }
   work.write("places.txt", positions);
   work.write("poses.txt", poses);
-  for (const char* const question : {"contains big.wkt big.wkt --at-file places.txt --repeat 100000",
-                                     "contains big.wkt big.wkt --at-file poses.txt --repeat 100000",
-                                     "contains big.wkt big.wkt --at 0.1,0.5,0.25 --repeat 100000",
-                                     "scale-range big.wkt big.wkt --path '-9,0 9,0' --repeat 100000",
-                                     "scale-range big.wkt room.wkt --inside --repeat 100000"}) {
+  for (const char* const question :
+       {"contains big.wkt big.wkt --at-file places.txt --repeat 100000",
+        "contains big.wkt big.wkt --at-file poses.txt --repeat 100000",
+        "contains big.wkt big.wkt --at 0.1,0.5,0.25 --repeat 100000", "family big.wkt big.wkt --scale 1/10:10",
+        "scale-range big.wkt big.wkt --path '-9,0 9,0' --repeat 100000",
+        "scale-range big.wkt room.wkt --inside --repeat 100000"}) {
     const auto start = std::chrono::steady_clock::now();
     const Outcome outcome =
         work.run(std::string("timeout --foreground --preserve-status -s INT -k 9 0.4 dymsum ") + question);
