@@ -30,7 +30,7 @@ Positions exactly_rounded(const SpatialSum& s) {
 }
 
 /// Sheared by a third, so that edges cross where no double is.
-MeshData moved(MeshData mesh, double turn, Point3 by, double scale) {
+MeshData sheared(MeshData mesh, double turn, Point3 by, double scale) {
   for (Point3& p : mesh.vertices) {
     const Point3 q{p.x + std::ldexp(std::nearbyint(std::ldexp(turn * p.y, 20)), -20), p.y + 0.5 * p.z,
                    p.z - 0.25 * p.x};
@@ -46,7 +46,7 @@ TEST(Rounding, vertices_are_the_nearest_doubles_to_exact_ones) {
     for (const Point3 by : {Point3{0, 0, 0}, Point3{1e6, -7.25, 1e-3}, Point3{snapped(1e5 / 3), 1e9, -1e9}}) {
       const Point3 far{scale * snapped(by.x), scale * snapped(by.y), scale * snapped(by.z)};
       const SpatialSum s =
-          spatial::sum_of_solids(moved(ell, 1.0 / 3, far, scale), moved(ell, -0.71, {}, scale), {}).value();
+          spatial::sum_of_solids(sheared(ell, 1.0 / 3, far, scale), sheared(ell, -0.71, {}, scale), {}).value();
       const SpatialSum::Rounded rounded = s.rounded().value();
       Positions positions;
       for (const Point3& p : rounded.mesh.vertices) positions.emplace_back(p.x, p.y, p.z);
