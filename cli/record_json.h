@@ -1,8 +1,6 @@
 // Records of the library as JSON, by the list of their fields.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -12,16 +10,6 @@
 
 namespace dymsum::cli {
 
-template <class T>
-inline constexpr bool kIsOptional = false;
-template <class T>
-inline constexpr bool kIsOptional<std::optional<T>> = true;
-template <class T>
-inline constexpr bool kIsList = false;
-template <class T>
-inline constexpr bool kIsList<std::vector<T>> = true;
-template <class T, std::size_t n>
-inline constexpr bool kIsList<std::array<T, n>> = true;
 /// Positions are lists of their coordinates.
 template <class T>
 inline constexpr bool kIsPosition = std::is_same_v<T, Point> || std::is_same_v<T, RationalPoint>;
@@ -33,9 +21,9 @@ Json json_of(const T& value) {
     return value.to_string();
   } else if constexpr (std::is_enum_v<T>) {
     return name(value);
-  } else if constexpr (kIsOptional<T>) {
+  } else if constexpr (names::kIsOptional<T>) {
     return value ? json_of(*value) : Json(nullptr);
-  } else if constexpr (kIsList<T>) {
+  } else if constexpr (names::kIsList<T>) {
     Json list = Json::array();
     for (const auto& item : value) list.push_back(json_of(item));
     return list;

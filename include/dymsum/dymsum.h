@@ -1,16 +1,19 @@
-// Everything.
+// Everything but the lists of names and fields (names.h, fields.h and those of each subject).
 #pragma once
 
 #include "dymsum/area_text.h"
+#include "dymsum/continuous_depth.h"
 #include "dymsum/convex_memory.h"
 #include "dymsum/convex_solid.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/cspace_obstacle.h"
+#include "dymsum/decomposition.h"
 #include "dymsum/event.h"
 #include "dymsum/fill.h"
 #include "dymsum/frames.h"
 #include "dymsum/growing_disc.h"
 #include "dymsum/grown_region.h"
+#include "dymsum/local_sum.h"
 #include "dymsum/mesh.h"
 #include "dymsum/mesh_io.h"
 #include "dymsum/motion.h"
@@ -24,6 +27,7 @@
 #include "dymsum/orientation.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/path_check.h"
+#include "dymsum/penetration_depth.h"
 #include "dymsum/planar_boolean.h"
 #include "dymsum/planar_local_sum.h"
 #include "dymsum/planar_operand.h"
@@ -41,6 +45,7 @@
 #include "dymsum/scale.h"
 #include "dymsum/scale_range.h"
 #include "dymsum/scaling_sum.h"
+#include "dymsum/shape_features.h"
 #include "dymsum/shapes.h"
 #include "dymsum/snap_rounding.h"
 #include "dymsum/snapping.h"

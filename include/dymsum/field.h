@@ -1,9 +1,13 @@
 // What a list of a record's fields is made of. The lists are in fields.h, which is what to include.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include "dymsum/names.h"
 
@@ -28,6 +32,18 @@ inline constexpr Unlisted kFields{};
 
 template <class Record>
 concept Listed = !std::is_same_v<std::remove_cvref_t<decltype(kFields<Record>)>, Unlisted>;
+
+/// Whether a field may be empty, and whether it is a list: for what writes all kinds of fields.
+template <class T>
+inline constexpr bool kIsOptional = false;
+template <class T>
+inline constexpr bool kIsOptional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool kIsList = false;
+template <class T>
+inline constexpr bool kIsList<std::vector<T>> = true;
+template <class T, std::size_t n>
+inline constexpr bool kIsList<std::array<T, n>> = true;
 
 /// Calls `use(name, value)` for every field of a record, which may be one to be filled.
 template <class Record, class Use>

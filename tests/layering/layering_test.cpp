@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 namespace dymsum::layering {
 namespace {
@@ -53,6 +57,21 @@ TEST(Layering, WhatIsAllowedIsNotReported) {
   EXPECT_FALSE(mentions("src/planar/region/shape.h"));
   EXPECT_FALSE(mentions("src/planar/window/window.h"));
   EXPECT_EQ(reading.files, 15U);
+}
+
+TEST(Layering, OneHeaderHasAllPublicOnes) {
+  const std::string folder = DYMSUM_SOURCE_DIR "/include/dymsum/";
+  std::ifstream file(folder + "dymsum.h");
+  const std::string all{std::istreambuf_iterator<char>(file), {}};
+  std::size_t found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_list = name == "names.h" || name == "field.h" || name.ends_with("fields.h");
+    if (is_list || name == "dymsum.h") continue;
+    EXPECT_NE(all.find("#include \"dymsum/" + name + "\"\n"), std::string::npos) << name;
+    ++found;
+  }
+  EXPECT_GT(found, 50U);
 }
 
 }  // namespace

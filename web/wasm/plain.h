@@ -1,12 +1,9 @@
 // Values of the library as plain data of JavaScript.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "arrays.h"
 #include "dymsum/fields.h"
@@ -15,17 +12,6 @@ namespace dymsum::web {
 
 /// As JavaScript names fields: "at_low" is atLow.
 std::string camel_case(std::string_view name);
-
-template <class T>
-inline constexpr bool kIsOptional = false;
-template <class T>
-inline constexpr bool kIsOptional<std::optional<T>> = true;
-template <class T>
-inline constexpr bool kIsList = false;
-template <class T>
-inline constexpr bool kIsList<std::vector<T>> = true;
-template <class T, std::size_t n>
-inline constexpr bool kIsList<std::array<T, n>> = true;
 
 /// What a record of type T has besides its fields.
 template <class T>
@@ -47,9 +33,9 @@ val plain(const T& value) {
     return val(std::string(value));
   } else if constexpr (std::is_same_v<T, Rational>) {
     return val(value.to_string());
-  } else if constexpr (kIsOptional<T>) {
+  } else if constexpr (names::kIsOptional<T>) {
     return value ? plain(*value) : val::null();
-  } else if constexpr (kIsList<T>) {
+  } else if constexpr (names::kIsList<T>) {
     return list_of(value, [](const auto& item) { return plain(item); });
   } else {
     val made = val::object();
