@@ -47,6 +47,12 @@ function(dymsum_precompile target)
   dymsum_trust_precompiled(${target})
 endfunction()
 
+# The same with the precompiled header of another target, which has the same flags.
+function(dymsum_reuse_precompiled target other)
+  target_precompile_headers(${target} REUSE_FROM ${other})
+  dymsum_trust_precompiled(${target})
+endfunction()
+
 function(dymsum_trust_precompiled target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
@@ -54,8 +60,7 @@ function(dymsum_trust_precompiled target)
 endfunction()
 
 # All files of a folder in one translation unit: their headers are read, and their templates instantiated, once. For builds
-# from nothing; where files change, single ones are faster. Files of a folder may not use a name for two things; those of the
-# folders in ARGN do.
+# from nothing; where files change, single ones are faster. Files of a folder may not use a name for two things.
 option(DYMSUM_UNITY "Compile the files of a folder together" OFF)
 function(dymsum_unite target)
   if(NOT DYMSUM_UNITY)
@@ -67,12 +72,10 @@ function(dymsum_unite target)
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
   get_target_property(sources ${target} SOURCES)
+  list(FILTER sources EXCLUDE REGEX "^\\$<")  # objects of a part
   foreach(source IN LISTS sources)
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE group)
     cmake_path(GET group PARENT_PATH group)
-    if(group IN_LIST ARGN)
-      continue()
-    endif()
     string(REPLACE "/" "_" group "${group}")
     set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
   endforeach()

@@ -1,6 +1,6 @@
 # Packages, configured and built folders: what every verb of ../run begins with.
 
-readonly release=build/release debug=build/debug thread=build/thread sanitized_parts=12
+readonly release=build/release debug=build/debug thread=build/thread program_parts=12
 readonly core_packages=(g++ cmake ninja-build libboost-dev nlohmann-json3-dev libpugixml-dev libcli11-dev libtbb-dev
                        libcpp-httplib-dev libzip-dev zlib1g-dev pkg-config)
 readonly test_packages=(libgtest-dev libgmp-dev libmpfr-dev librsvg2-bin clang-14 libompl-dev)

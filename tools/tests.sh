@@ -28,49 +28,70 @@ one_by_one() {
   count "$report"
 }
 
-# Builds TARGETs of a build folder, as much of them as compiles, and runs its tests. check FOLDER "TARGET..." ARGS...
-check() {
-  local folder=$1 targets=$2
-  shift 2
+# Builds TARGETs of a build folder, as much of them as compiles. build_most FOLDER "TARGET..."
+build_most() {
   # shellcheck disable=SC2086
-  if ! cmake --build "$folder" -j "$(jobs)" --target $targets -- -k 0 >&2; then
-    say "the build of $folder failed"
-    failed=$((failed + 1))
-  fi
-  one_by_one "$folder" "$@"
+  cmake --build "$1" -j "$(jobs)" --target $2 -- -k 0 >&2 && return
+  say "the build of $1 failed"
+  failed=$((failed + 1))
 }
 
-# Every so many tests of a room with the room under sanitizers: to start a process takes longer than most of them.
-# sanitized_part ROOM PART
-sanitized_part() {
-  local report=$release/sanitized/$1.$2
-  GTEST_TOTAL_SHARDS=$sanitized_parts GTEST_SHARD_INDEX=$2 GTEST_OUTPUT=xml:$PWD/$report.xml ASAN_OPTIONS=malloc_context_size=2 \
-    timeout 1200 "$release/tests/tests_$1_sanitized" >"$report.log" 2>&1 && touch "$report.passed"
+# Builds TARGETs of a build folder and runs its tests, each in a process of its own. check FOLDER "TARGET..." ARGS...
+check() {
+  build_most "$1" "$2"
+  one_by_one "$1" "${@:3}"
 }
 
-# The tests of these rooms under sanitizers, by parts. Where not every test that a program lists has run and passed or
-# asked to be skipped, the room's are run one by one, and those results count. check_sanitized "ROOM..."
-check_sanitized() {
-  local room part listed run skipped
-  say "all tests of $1 with these rooms under sanitizers"
-  rm -rf "$release/sanitized"
-  mkdir -p "$release/sanitized"
-  for room in $1; do
-    for ((part = 0; part < sanitized_parts; ++part)); do echo "$room $part"; done
-  done | xargs -n 2 -P "$(jobs)" bash -c 'sanitized_part "$@" || true' part
-  for room in $1; do
-    listed=$("$release/tests/tests_${room}_sanitized" --gtest_list_tests 2>/dev/null | grep -c '^  ' || true)
-    run=$(cat "$release/sanitized/$room".*.xml 2>/dev/null | grep -c '<testcase .*status="run"' || true)
-    skipped=$(cat "$release/sanitized/$room".*.xml 2>/dev/null | grep -c '<testcase .*result="skipped"' || true)
-    part=$(find "$release/sanitized" -name "$room.*.passed" | wc -l)
-    if [[ $listed -gt 0 && $run == "$listed" && $part == "$sanitized_parts" ]]; then
+# Every so many tests of a program: to start a process takes longer than most of them. program_part PROGRAM PART
+program_part() {
+  local report=$release/parts/$1.$2
+  GTEST_TOTAL_SHARDS=$program_parts GTEST_SHARD_INDEX=$2 GTEST_OUTPUT=xml:$PWD/$report.xml ASAN_OPTIONS=malloc_context_size=2 \
+    timeout 1200 "$release/tests/$1" >"$report.log" 2>&1 && touch "$report.passed"
+}
+
+# The tests of these programs by parts. Where not every test that a program lists has run and passed or asked to be skipped,
+# the program's are run one by one, and those results count. check_programs "PROGRAM..."
+check_programs() {
+  local program part listed run skipped
+  say "all tests of $*"
+  rm -rf "$release/parts"
+  mkdir -p "$release/parts"
+  for program in $1; do
+    for ((part = 0; part < program_parts; ++part)); do echo "$program $part"; done
+  done | xargs -n 2 -P "$(jobs)" bash -c 'program_part "$@" || true' part
+  for program in $1; do
+    listed=$("$release/tests/$program" --gtest_list_tests 2>/dev/null | grep -c '^  ' || true)
+    run=$(cat "$release/parts/$program".*.xml 2>/dev/null | grep -c '<testcase .*status="run"' || true)
+    skipped=$(cat "$release/parts/$program".*.xml 2>/dev/null | grep -c '<testcase .*result="skipped"' || true)
+    part=$(find "$release/parts" -name "$program.*.passed" | wc -l)
+    if [[ $listed -gt 0 && $run == "$listed" && $part == "$program_parts" ]]; then
       passed=$((passed + run - skipped))
-      ((skipped == 0)) || say "$skipped tests of $room skipped"
+      ((skipped == 0)) || say "$skipped tests of $program skipped"
     else
-      say "$room: $run of $listed tests run, $part of $sanitized_parts parts passed; one by one"
-      DYMSUM_SANITIZE_ROOMS=$room one_by_one "$release" -L sanitized
+      say "$program: $run of $listed tests run, $part of $program_parts parts passed; one by one"
+      program_one_by_one "$program"
     fi
   done
+}
+
+# program_one_by_one PROGRAM: tests_ROOM or tests_ROOM_sanitized
+program_one_by_one() {
+  local room=${1#tests_}
+  if [[ $room == *_sanitized ]]; then DYMSUM_SANITIZE_ROOMS=${room%_sanitized} one_by_one "$release" -L sanitized
+  else one_by_one "$release" -L "^$room\$"; fi
+}
+
+# Does what a function checks beside what follows, up to `joined`, which adds its counts. beside FUNCTION
+beside() {
+  mkdir -p build
+  rm -f build/beside
+  (passed=0 failed=0; "$1"; echo "$passed $failed" >build/beside) &
+}
+joined() {
+  local good=0 bad=1
+  wait || true
+  [[ ! -s build/beside ]] || read -r good bad <build/beside
+  passed=$((passed + good)) failed=$((failed + bad))
 }
 
 # Counts whether another compiler takes these files as they are. read_with COMPILER FILE...
@@ -137,6 +158,9 @@ check_viewer() {
   check_vitest
 }
 
+# The programs of the rooms' tests, as CTest has them.
+room_programs() { find tests -mindepth 2 -name '*_test.cpp' | cut -d / -f 2 | sort -u | grep -v -x -e cgal -e ompl -e fuzz | sed 's/^/tests_/' | tr '\n' ' '; }
+
 finish() {
   echo "$passed passed, $failed failed"
   ((failed == 0))
@@ -152,14 +176,18 @@ do_test() {
   local rooms=${DYMSUM_SANITIZE_ROOMS-base io}  # what reads strangers' bytes; the others in `./run verify`
   unset DYMSUM_SANITIZE_ROOMS  # CTest lists the sanitized tests of the rooms in it
   # shellcheck disable=SC2086
-  check "$release" "all tests ${rooms:+$(printf 'tests_%s_sanitized ' $rooms)}"
-  if [[ -z $rooms ]]; then :
-  elif [[ -n ${DYMSUM_TEST_FILTER:-} ]]; then DYMSUM_SANITIZE_ROOMS=$rooms one_by_one "$release" -L sanitized
-  else check_sanitized "$rooms"; fi
-  if [[ -z ${DYMSUM_TEST_FILTER:-} ]]; then
+  local sanitized=${rooms:+$(printf 'tests_%s_sanitized ' $rooms)}
+  build_most "$release" "all tests $sanitized"
+  if [[ -n ${DYMSUM_TEST_FILTER:-} ]]; then
+    one_by_one "$release"
+    [[ -z $rooms ]] || DYMSUM_SANITIZE_ROOMS=$rooms one_by_one "$release" -L sanitized
+  else
+    check_programs "$(room_programs) $sanitized"
+    one_by_one "$release" -L 'fuzz|package'  # what is no program of GoogleTest
+    beside check_viewer
     say "the Python package"
     check_python
-    check_viewer
+    joined
   fi
   finish
 }
@@ -200,5 +228,5 @@ do_verify() {
   finish
 }
 
-export release sanitized_parts
-export -f sanitized_part
+export release program_parts
+export -f program_part

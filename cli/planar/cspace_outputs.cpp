@@ -63,7 +63,7 @@ std::vector<FaceColour> colours_of(const CspaceObstacle& obstacle, const Obstacl
 }
 
 /// No stream: a page's module has this file as well, and streams would be a part of it.
-std::string digits(double v) {
+std::string six_digits(double v) {
   std::array<char, 32> text;
   return {text.data(), static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.6g", v))};
 }
@@ -112,14 +112,14 @@ std::string obstacle_glb(const CspaceObstacle& obstacle, const ObstacleMesh& mes
   const double scale = mesh.extent / (2 * kPi);
   const std::vector<std::pair<std::string, std::string>> notes = {
       {"content", "boundary of the obstacle of a robot that moves and turns; x and y are translations of the robot"},
-      {"z", "theta in radians times " + digits(scale) + ", from -pi to pi"},
+      {"z", "theta in radians times " + six_digits(scale) + ", from -pi to pi"},
       {"planes", ends == Ends::capped ? "the planes at -pi and at pi show the same slice, as grey caps"
                                       : "the planes at -pi and at pi show the same slice: the surface goes on from the "
                                         "one in the other"},
       {"colours",
        "yellow: edges of the obstacle on vertices of the robot; blue: edges of the robot, which turn, on "
        "vertices of the obstacle; shades: shells; grey: caps"},
-      {"error", "at every angle within " + digits(mesh.tolerance) + " of the exact surface"},
+      {"error", "at every angle within " + six_digits(mesh.tolerance) + " of the exact surface"},
       {"closed", closure(mesh).watertight() ? "yes" : "no"}};
   const MeshData data = ends == Ends::capped ? capped_mesh_data(mesh) : mesh_data(mesh);
   require_singles(data);
@@ -137,7 +137,7 @@ std::string slice_strip(const CspaceObstacle& obstacle, std::size_t slices, cons
     const Orientation theta = require(Orientation::nearest(static_cast<double>(k) * step - kPi, step / 1000));
     const PlanarSum slice = require(obstacle.slice(theta));
     const std::string tangent = theta.is_half_turn() ? "inf" : shown(theta.tan_half());
-    const std::string degrees = digits(theta.radians() / kPi * 180) + "°";
+    const std::string degrees = six_digits(theta.radians() / kPi * 180) + "°";
     frames.push_back({degrees + ", tan θ/2 = " + tangent, drawn(slice)});
   }
   return film_strip(frames, kColumns);

@@ -62,7 +62,7 @@ RotationRange read_range(const std::string& text, const TurnAxis& axis) {
 
 Json turn_json(const AxisTurn& turn) { return turn.is_half_turn() ? "inf" : turn.t().to_string(); }
 
-Json event_json(const SolidRotationEvent& event) {
+Json rotation_event_json(const SolidRotationEvent& event) {
   Json contacts = Json::array();
   for (const SolidRotationContact& c : event.contacts) {
     Json features = Json::array();
@@ -77,7 +77,7 @@ Json event_json(const SolidRotationEvent& event) {
           {"contacts", contacts}};
 }
 
-std::string event_line(const SolidRotationEvent& event) {
+std::string rotation_event_line(const SolidRotationEvent& event) {
   std::ostringstream out;
   const AlgebraicTurn& at = event.parameter;
   std::map<EventKind, std::size_t> kinds;
@@ -112,13 +112,13 @@ std::vector<SolidRotationEvent> find_events(const SolidRotationEvents& sum, cons
   return require(range.whole_turn ? sum.events_of_turn(progress) : sum.events(range.from, range.to, progress));
 }
 
-/// On the way from zero to `turn`.
+/// An event of the rotation from zero to `turn`.
 MotionEvent motion_event(const SolidRotationEvent& event, double turn) {
   const double whole = 2 * std::numbers::pi;
   double at = event.approx;
   if (turn >= 0 && at < 0) at += whole;
   if (turn < 0 && at > 0) at -= whole;
-  return {at, event_line(event), event_json(event)};
+  return {at, rotation_event_line(event), rotation_event_json(event)};
 }
 
 }  // namespace
@@ -158,14 +158,14 @@ ExitCode run_solid_turns(const SolidTurns& turns, const ReportOptions& report) {
   bar.reset();
   if (report.json) {
     Json list = Json::array();
-    for (const SolidRotationEvent& e : events) list.push_back(event_json(e));
+    for (const SolidRotationEvent& e : events) list.push_back(rotation_event_json(e));
     Json json = report_head("rotate", solid_inputs_json(turns.inputs), 0, timing);
     json["axis"] = {axis[0], axis[1], axis[2]};
     json["range"] = turns.range.empty() ? Json(nullptr) : Json(turns.range);
     json["events"] = list;
     print_report(json);
   } else {
-    for (const SolidRotationEvent& e : events) std::cout << event_line(e) << "\n";
+    for (const SolidRotationEvent& e : events) std::cout << rotation_event_line(e) << "\n";
     std::cout << counted(events.size(), "event") << ", " << sum.work().windows << " windows, " << sum.work().candidates
               << " polynomials, " << counted(sum.work().sums, "sum") << "\n";
     print_times(std::cout, timing);

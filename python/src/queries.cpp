@@ -12,7 +12,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_answers(nb::module_& m) {
+void bind_query_answers(nb::module_& m) {
   Record<Clearance>(m, "Clearance", "The distance of a configuration to the boundary of the obstacle.").listed();
   Record<FreeAngles>(m, "FreeAngles", "Angles at which the robot can stand at a position, counter-clockwise.")
       .listed()
@@ -119,7 +119,7 @@ void bind_batches(nb::class_<ObstacleQueries>& type) {
 }  // namespace
 
 void bind_queries(nb::module_& m) {
-  bind_answers(m);
+  bind_query_answers(m);
   nb::class_<ObstacleQueries> type(
       m, "ObstacleQueries", nb::dynamic_attr(),
       R"doc(An index over the patches of an obstacle. Answers may be asked for on several threads.

@@ -6,6 +6,7 @@
 #include "oracles/coordinate_kinds.h"
 #include "oracles/sanitized.h"
 #include "spatial/sum/random_solids.h"
+#include "spatial/sum/tested_sums.h"
 
 namespace dymsum {
 namespace {
@@ -26,12 +27,6 @@ MeshData torus(int around, int across, double big, double small) {
       m.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
     }
   return m;
-}
-
-SpatialSum sum(const Mesh& p, const Mesh& q, SpatialEngine engine = SpatialEngine::fast) {
-  SpatialOptions options;
-  options.engine = engine;
-  return minkowski_sum(p, q, options).value();
 }
 
 TEST(SpatialCoordinates, of_every_kind_give_what_the_brute_engine_finds) {

@@ -8,6 +8,7 @@
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
 #include "oracles/voxel_solids.h"
+#include "spatial/sum/tested_sums.h"
 
 namespace dymsum {
 namespace {
@@ -15,16 +16,8 @@ namespace {
 using oracles::Voxel;
 using oracles::Voxels;
 
-SpatialSum sum(const Mesh& p, const Mesh& q, SpatialOptions options = {}) {
-  return minkowski_sum(p, q, options).value();
-}
 Mesh mesh_of(const SpatialSum& s) { return as_mesh(s).value(); }
 Mesh voxel_solid(const Voxels& voxels) { return Mesh::create(oracles::voxel_mesh(voxels)).value(); }
-
-int fuzz_pairs(int few) {
-  const char* text = std::getenv("DYMSUM_FUZZ_PAIRS");
-  return text != nullptr ? std::max(few, std::atoi(text) / 20) : few;
-}
 
 /// A right prism between z = 0 and the height over a ring, with a hole where there is one: top and bottom have a bridge
 /// from the first vertex to the hole's, and are split by the repair.
@@ -71,7 +64,7 @@ std::pair<Ring, Ring> random_star(std::mt19937_64& random, double scale) {
 
 TEST(SolidLaws, of_extruded_polygons_is_the_extruded_sum_of_polygons) {
   int tight = 0, holes = 0;
-  for (int k = 0; k < fuzz_pairs(24); ++k) {
+  for (int k = 0; k < fuzz_pairs(24, 20); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(k));
     const auto [ring, hole] = random_star(random, 4);
     const auto [small, smaller] = random_star(random, k % 3 == 0 ? 2 : 1);
@@ -108,7 +101,7 @@ TEST(SolidLaws, of_extruded_polygons_is_the_extruded_sum_of_polygons) {
 }
 
 TEST(SolidLaws, move_reflect_scale_and_associate) {
-  for (int k = 0; k < fuzz_pairs(12); ++k) {
+  for (int k = 0; k < fuzz_pairs(12, 20); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(300 + k));
     const auto [a, b] = oracles::random_voxels(2, random);
     const Mesh p = voxel_solid(a), q = voxel_solid(b), r = voxel_solid(oracles::random_voxels(2, random)[0]);
@@ -234,7 +227,7 @@ bool in_cubes(const Voxels& p, const Voxels& q, const Voxel& doubled, bool close
 
 TEST(SolidLaws, contains_is_membership_by_definition) {
   int inside = 0, touching = 0;
-  for (int k = 0; k < fuzz_pairs(12); ++k) {
+  for (int k = 0; k < fuzz_pairs(12, 20); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(400 + k));
     const auto [a, b] = oracles::random_voxels(2, random);
     Voxels half;
@@ -301,15 +294,13 @@ Mesh random_parts(std::mt19937_64& random) {
 
 TEST(SolidLaws, sums_with_parts_without_volume_are_the_union_of_those_with_each_part) {
   int inside = 0, outside = 0;
-  for (int k = 0; k < fuzz_pairs(40); ++k) {
+  for (int k = 0; k < fuzz_pairs(40, 20); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(600 + k));
     const Mesh solid = k % 2 == 0 ? solids::cone(5, 2, 3, solids::kDemoSnap) : solids::box(0, 0, 0, 1, 2, 3);
     const Mesh parts = random_parts(random);
     const SpatialSum s = sum(solid, parts);
     EXPECT_TRUE(s == sum(parts, solid)) << "seed " << 600 + k;
-    SpatialOptions brute;
-    brute.engine = SpatialEngine::brute;
-    EXPECT_TRUE(s == sum(solid, parts, brute)) << "seed " << 600 + k;
+    EXPECT_TRUE(s == sum(solid, parts, SpatialEngine::brute)) << "seed " << 600 + k;
     std::vector<Mesh> hulls;  // of the sums with each part, which are convex
     for (const Face& face : parts.faces()) {
       std::vector<Point3> points;
@@ -337,7 +328,7 @@ TEST(SolidLaws, sums_with_parts_without_volume_are_the_union_of_those_with_each_
 
 TEST(SolidLaws, sums_of_parts_without_volume_are_the_union_of_those_of_their_pairs) {
   int inside = 0, outside = 0;
-  for (int k = 0; k < fuzz_pairs(40); ++k) {
+  for (int k = 0; k < fuzz_pairs(40, 20); ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(800 + k));
     const Mesh p = random_parts(random), q = random_parts(random);
     std::vector<Mesh> hulls;

@@ -18,17 +18,13 @@
 #include "oracles/voxel_solids.h"
 #include "spatial/sum/random_solids.h"
 #include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/tested_sums.h"
 
 namespace dymsum {
 namespace {
 
 using random_solids::valid_polyhedron;
 using spatial::sum_of_solids;
-
-int fuzz_pairs(int few) {
-  const char* text = std::getenv("DYMSUM_FUZZ_PAIRS");
-  return text != nullptr ? std::max(few, std::atoi(text) / 10) : few;
-}
 
 double snapped(double v) { return std::ldexp(std::nearbyint(std::ldexp(v, 12)), -12); }
 
@@ -52,13 +48,6 @@ MeshData torus(double large, double small, int nu, int nv, double turn) {
       m.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
     }
   return m;
-}
-
-SpatialSum sum(const MeshData& p, const MeshData& q, SpatialEngine engine = SpatialEngine::fast, int threads = 1) {
-  SpatialOptions options;
-  options.engine = engine;
-  options.threads = threads;
-  return sum_of_solids(p, q, options).value();
 }
 
 TEST(SpatialEngine, tests_of_all_places_find_nothing_more_in_tiny_polyhedra) {

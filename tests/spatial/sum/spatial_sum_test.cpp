@@ -11,17 +11,12 @@
 #include "oracles/voxel_solids.h"
 #include "spatial/sum/solid_cases.h"
 #include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/tested_sums.h"
 
 namespace dymsum {
 namespace {
 
 using spatial::sum_of_solids;
-
-SpatialSum sum(const MeshData& p, const MeshData& q, SpatialEngine engine = SpatialEngine::fast) {
-  SpatialOptions options;
-  options.engine = engine;
-  return sum_of_solids(p, q, options).value();
-}
 
 TEST(SpatialSum, of_two_cubes_is_a_cube) {
   const SpatialSum s = sum(box(1), box(2));
@@ -169,11 +164,6 @@ TEST(SpatialSum, facets_that_touch_a_face_inside_it_leave_no_tight_point) {
 TEST(SpatialSum, with_an_empty_operand_is_empty) {
   EXPECT_TRUE(sum(box(1), MeshData{}).faces.empty());
   EXPECT_TRUE(sum(MeshData{}, box(1)).faces.empty());
-}
-
-int fuzz_pairs(int few) {
-  const char* text = std::getenv("DYMSUM_FUZZ_PAIRS");
-  return text != nullptr ? std::max(few, std::atoi(text) / 10) : few;
 }
 
 /// Every edge as often one way as the other, and the volume of the triangles.

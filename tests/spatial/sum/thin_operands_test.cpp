@@ -8,6 +8,8 @@
 #include "dymsum/spatial_sum.h"
 #include "oracles/sanitized.h"
 #include "oracles/voxel_solids.h"
+#include "spatial/sum/solid_cases.h"
+#include "spatial/sum/tested_sums.h"
 
 namespace dymsum {
 namespace {
@@ -21,16 +23,8 @@ Mesh thin(MeshData data) {
   return mesh.ok() ? *mesh : Mesh{};
 }
 
-SpatialSum sum(const Mesh& p, const Mesh& q, SpatialEngine engine = SpatialEngine::fast) {
-  SpatialOptions options;
-  options.engine = engine;
-  const Result<SpatialSum> made = minkowski_sum(p, q, options);
-  EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().to_string());
-  return made.ok() ? *made : SpatialSum{};
-}
-
 /// The regular part as a mesh.
-Mesh mesh_of(const SpatialSum& s) { return Mesh::create(s.rounded().value().mesh).value(); }
+Mesh regular_part(const SpatialSum& s) { return Mesh::create(s.rounded().value().mesh).value(); }
 
 double tight_length(const SpatialSum& s) {
   double total = 0;
@@ -39,17 +33,6 @@ double tight_length(const SpatialSum& s) {
     total += std::hypot(q.x - p.x, q.y - p.y, q.z - p.z);
   }
   return total;
-}
-double tight_area(const SpatialSum& s) {
-  SpatialSum faces = s;
-  faces.faces.clear();
-  for (const auto& loops : s.tight_faces) faces.faces.push_back({loops, {}, {}, 0});
-  return faces.area();
-}
-
-int fuzz_pairs(int few) {
-  const char* text = std::getenv("DYMSUM_FUZZ_PAIRS");
-  return text != nullptr ? std::max(few, std::atoi(text) / 10) : few;
 }
 
 Mesh random_solid(std::uint64_t seed, const oracles::IntegerMap& map = oracles::kNoShear) {
@@ -62,7 +45,8 @@ TEST(ThinOperands, with_a_point_are_the_other_one_moved) {
     const Mesh p = random_solid(seed);
     const Mesh point = thin({{{3, -1, 0.5}}, {{0}}});
     const SpatialSum s = sum(p, point);
-    EXPECT_TRUE(mesh_of(s) == mesh_of(sum(translated(p, 3, -1, 0.5).value(), thin({{{0, 0, 0}}, {{0}}})))) << seed;
+    EXPECT_TRUE(regular_part(s) == regular_part(sum(translated(p, 3, -1, 0.5).value(), thin({{{0, 0, 0}}, {{0}}}))))
+        << seed;
     EXPECT_EQ(s.volume(), volume(p)) << seed;
     EXPECT_TRUE(s.tight_faces.empty() && s.tight_segments.empty() && s.tight_points.empty()) << seed;
     EXPECT_TRUE(s == sum(point, p)) << seed;
@@ -80,7 +64,7 @@ TEST(ThinOperands, convex_ones_give_the_hull_of_all_sums) {
       for (const Point3& a : solid.vertices())
         for (const Point3& b : part.vertices()) sums.push_back({a.x + b.x, a.y + b.y, a.z + b.z});
       const SpatialSum s = sum(solid, part);
-      EXPECT_TRUE(mesh_of(s) == convex_hull(sums).value());
+      EXPECT_TRUE(regular_part(s) == convex_hull(sums).value());
       EXPECT_TRUE(s == sum(part, solid));
       EXPECT_TRUE(s == sum(solid, part, SpatialEngine::brute));
     }
