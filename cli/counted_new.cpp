@@ -39,7 +39,7 @@ namespace {
 
 std::atomic<std::int64_t> held{0};  // since it counts; what was there before may be given back
 
-// Before it is made.
+// Counts memory before it is taken.
 void take(std::size_t bytes) {
   const std::int64_t all = held.fetch_add(static_cast<std::int64_t>(bytes)) + static_cast<std::int64_t>(bytes);
   if (all <= static_cast<std::int64_t>(most.load(std::memory_order_relaxed))) return;

@@ -5,7 +5,7 @@
 
 namespace dymsum::cli {
 
-/// From here on what is held counts, and std::bad_alloc is thrown where it would be more. 0: no limit any more.
+/// Begins to count what is held: std::bad_alloc is thrown where it would be more. 0: no limit any more.
 void count_memory(std::uint64_t limit);
 
 struct CountedMemory {

@@ -30,7 +30,7 @@ std::optional<double> double_number(const std::string& text);
 /// "; 1/3 is no double" where a word between commas or blanks is a fraction that no double is; else nothing.
 std::string no_double_in(const std::string& text);
 
-/// As it was asked: a double, or the fraction that no double is.
+/// Prints a number as it was given: a double, or a fraction that is no double.
 void print_exact(std::ostream& out, const Rational& value);
 
 }  // namespace dymsum::cli

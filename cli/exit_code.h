@@ -28,7 +28,7 @@ using Action = std::function<ExitCode()>;
 class Stop : public std::runtime_error {
  public:
   Stop(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
-  /// With the error of the library that ends it.
+  /// A stop with the library's error that ends the command.
   Stop(ExitCode code, Error error) : std::runtime_error(error.to_string()), code_(code), error_(std::move(error)) {}
   Stop(ExitCode code, const std::string& message, Error error)
       : std::runtime_error(message), code_(code), error_(std::move(error)) {}

@@ -61,7 +61,7 @@ std::string shown_file(const std::string& file);
 /// The error with the file of the operand it is about, where it names none: the one that holds the vertex it names, or
 /// else the first one that is empty or has pieces without area.
 Error in_operand(Error error, const std::vector<Input>& inputs);
-/// As require, for what was computed from these operands.
+/// The same as require, for what was computed from these operands.
 template <class T>
 T require_of(const std::vector<Input>& inputs, Result<T> result);
 

@@ -18,9 +18,9 @@ using Json = nlohmann::ordered_json;
 /// repeats. `stages` are the medians of stages in milliseconds, where they are known.
 Json report_head(const std::string& verb, Json inputs, int tier, const Timing& timing, Json stages = Json::object());
 
-/// As all reports are printed. Bytes of file names that are no text are replaced.
+/// The text of a report, as all are printed. Bytes of file names that are no text are replaced.
 std::string report_text(const Json& report);
-/// On standard output.
+/// Prints a report on standard output.
 void print_report(const Json& report);
 
 /// {"code", "message", "evidence", "exit"} of bad input: the message is the sentence on standard error, the evidence

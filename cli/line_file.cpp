@@ -16,7 +16,7 @@
 namespace dymsum::cli {
 namespace {
 
-/// Without the mark of its byte order; where lines end in carriage returns alone, these are line feeds.
+/// The text without the mark of its byte order; where lines end in carriage returns alone, these are line feeds.
 std::string text_of_lines(std::string_view bytes) {
   std::string text(without_mark(bytes));
   if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');

@@ -191,7 +191,7 @@ std::vector<char*> as_option_help(std::vector<char*> words) {
   return words;
 }
 
-/// Where memory did not suffice: with the limit that was reached, if one was.
+/// The stop where memory did not suffice, with the limit that was reached, if one was.
 Stop with_memory_limit(const Stop& stop) {
   const std::string reached = memory_limit_reached(), message = stop.what();
   if (reached.empty() || message.find("memory") == std::string::npos || message.find("limit") != std::string::npos)

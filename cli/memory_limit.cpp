@@ -17,8 +17,8 @@ namespace {
 
 std::string megabytes_text(std::uint64_t bytes) { return std::to_string((bytes + 999999) / 1000000) + " MB"; }
 
-/// Where an array is wanted in a place that no exception may leave, as where a report is taken apart. Texts need some
-/// memory, too.
+/// Ends the program where an array is wanted in code that no exception may leave, as where a report is taken apart.
+/// Texts need some memory, too.
 [[noreturn]] void end_at_limit() {
   lift_memory_limit();
   const std::string reached = memory_limit_reached();

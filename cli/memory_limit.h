@@ -13,8 +13,8 @@ namespace dymsum::cli {
 /// Declares --memory MB of a verb for which all that it holds counts.
 void add_memory_limit(CLI::App& verb, double& megabytes);
 
-/// From here on every array counts before it is made, and std::bad_alloc is thrown where more than so many megabytes
-/// would be held. 0: no limit. The library's own limits, which say what would need how much, come first.
+/// Begins to count every array before it is made: std::bad_alloc is thrown where more than so many megabytes would be
+/// held. 0: no limit. The library's own limits, which say what would need how much, come first.
 void limit_memory(double megabytes);
 /// No limit any more: for what is told about an end.
 void lift_memory_limit();

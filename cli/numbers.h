@@ -30,7 +30,7 @@ struct Angle {
   Rational exact;
   bool degrees = false;
 
-  /// For labels and pictures.
+  /// The nearest double, for labels and pictures.
   double value() const { return exact.to_double(); }
   /// Doubles of radians stay as they are. Degrees, and shares of radians, are reduced to a turn exactly before they are
   /// rounded: quarter turns stay the doubles that stand for them.

@@ -32,7 +32,7 @@ struct Operand {
   std::string name, what;
 };
 
-/// Which operands a verb has, or an option is for.
+/// The operands that a verb has, or an option is for.
 enum class OperandKind { planar, solid, either };
 
 /// Declares two required operands. Requires: `operands` holds two.

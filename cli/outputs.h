@@ -44,8 +44,8 @@ class RoundedSum {
 /// Whether a file's name requests the picture of the stages ("stages.svg", "x.stages.svg").
 bool is_stage_picture(const std::string& file);
 bool writes_to_stdout(const std::vector<std::string>& files);
-/// Where the report is printed: on standard error when a result takes standard output. Stops with wrong usage for
-/// --json then.
+/// The stream that the report is printed on: standard error when a result takes standard output. Stops with wrong usage
+/// for --json then.
 std::ostream& report_stream(const std::vector<std::string>& files, bool json);
 
 /// The format of every output is known: before any long work.

@@ -37,7 +37,7 @@ std::string time_left(double seconds, double fraction) {
 // Where other programs have the processor, what takes long need not be much.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Of the current stage, with its name.
+// The progress of the current stage, with its name.
 std::string how_far(std::chrono::steady_clock::time_point now) {
   const double fraction = std::clamp(current.fraction, 0.0, 1.0);
   return std::to_string(static_cast<int>(fraction * 100)) + "% " + current.name +

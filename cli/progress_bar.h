@@ -23,7 +23,7 @@ class InterruptGuard {
   void (*before_)(int);
 };
 
-/// Around the writing of a file or a report, so that neither is left half-written.
+/// Guards the writing of a file or a report, so that neither is left half-written.
 class WriteGuard {
  public:
   WriteGuard();
@@ -46,7 +46,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// To hand to a computation; must not outlive the bar. False after Ctrl-C.
+  /// What is handed to a computation; it must not outlive the bar. False after Ctrl-C.
   Progress callback();
 
  private:

@@ -41,15 +41,15 @@ Measure volume_of(const SpatialSum& sum);
 Measure surface_of(const Mesh& mesh);
 Measure surface_of(const SpatialSum& sum);
 Json measure_json(const Measure& measure);
-/// With 17 digits.
+/// A measure with 17 digits.
 std::string shown(const Measure& measure);
 
 /// The area as a number, or text where it is outside the range of normal doubles.
 Json area_json(const Region& region);
 
 Json inputs_json(const std::vector<Input>& inputs);
-/// Of what was read beside a shape: the unit of its coordinates, and the curves in it; each on a line of its own that
-/// begins with the end of the one before.
+/// Prints what was read beside a shape: the unit of its coordinates, and the curves in it; each on a line of its own
+/// that begins with the end of the one before.
 void print_notes(std::ostream& out, const ReadingNotes& notes);
 /// {"tan_half": "1/2", "theta": 0.927...}.
 Json orientation_json(const Orientation& orientation);

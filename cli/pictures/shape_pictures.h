@@ -9,7 +9,7 @@
 
 namespace dymsum::cli {
 
-/// In the order in which bars and bridges number them.
+/// The vertices in the order in which bars and bridges number them.
 std::vector<Point> vertices_of(const Region& region);
 
 /// The region, its sum with the disc (if any), bridges with their pocket minima, and the bars beside it; those of

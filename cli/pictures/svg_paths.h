@@ -24,8 +24,8 @@ struct Box {
   Box drawable() const;
 };
 
-/// Where a drawing counts its coordinates from: they are written with seven digits, so that a scene far from the origin
-/// has an origin of its own, the corner of its box; others keep theirs.
+/// The origin from which a drawing counts its coordinates: they are written with seven digits, so that a scene far from
+/// the origin has an origin of its own, the corner of its box; others keep theirs.
 Point origin_of(const Box& box);
 
 /// Points that follow one another, and whether the last one leads to the first.

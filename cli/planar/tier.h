@@ -8,7 +8,7 @@ namespace dymsum::cli {
 
 /// Bits of the integers that hold the region on its lossless grid: 29, 61, 512, or 0 for arbitrary precision.
 int tier_of(const Region& region);
-/// Of two regions that are summed.
+/// The tier of two regions that are summed.
 int tier_of(const Region& p, const Region& q);
 
 /// The smallest B >= 1 such that all coordinates of the mesh are at most 2^B of the largest power of two that divides
@@ -16,7 +16,7 @@ int tier_of(const Region& p, const Region& q);
 int grid_bits(const Mesh& mesh);
 /// The tier of those bits: 26, 61, 72, 124, 250, or 0 for arbitrary precision.
 int tier_of(const Mesh& mesh);
-/// Of two solids on one grid.
+/// The tier of two solids on one grid.
 int tier_of(const Mesh& p, const Mesh& q);
 
 }  // namespace dymsum::cli

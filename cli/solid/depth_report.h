@@ -16,7 +16,7 @@ Json depth_json(const PlanarDistance& distance);
 /// The same for a convex pair that turns.
 Json depth_json(const ConvexDepth& depth);
 
-/// In words; `q` is the file that moves.
+/// The distance in words; `q` is the file that moves.
 std::string depth_text(const SolidDistance& distance, const std::string& p, const std::string& q);
 std::string depth_text(const PlanarDistance& distance, const std::string& p, const std::string& q);
 

@@ -16,7 +16,7 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-/// Of its size; what is reflex by more is a shape of its own.
+/// The largest rounding of a solid, as a fraction of its size; what is reflex by more is a shape of its own.
 constexpr double kRounding = 1e-12;
 
 Vector minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

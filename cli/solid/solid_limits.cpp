@@ -10,7 +10,7 @@ namespace dymsum::cli {
 
 namespace {
 
-// About half a second on one core, and seconds where each meets many others.
+// So many facets take about half a second on one core, and seconds where each meets many others.
 constexpr double kManyFacets = 20000;
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 bool is_json(const std::string& file) { return file.ends_with(".json"); }
 
-/// Of facets by kind: of P, of Q, of two edges, of several kinds; of those that changed.
+/// The colours of facets by kind: of P, of Q, of two edges, of several kinds; of those that changed.
 constexpr std::array<std::array<double, 3>, 5> kColours{
     {{0.91, 0.64, 0.24}, {0.36, 0.73, 0.55}, {0.55, 0.73, 0.90}, {0.70, 0.72, 0.75}, {0.85, 0.12, 0.20}}};
 constexpr std::size_t kSeveralKinds = 3, kChanged = 4;
@@ -43,7 +43,7 @@ std::vector<FaceColour> no_faces() {
   return colours;
 }
 
-/// Of the triangles that faces became.
+/// The colours of the triangles that faces became.
 std::vector<FaceColour> colours_of(const SpatialSum& sum, const SpatialSum::Rounded& rounded, const SolidOutput& how) {
   const std::vector<std::size_t> of_face = face_colours(sum, how);
   std::vector<FaceColour> colours = no_faces();
@@ -118,7 +118,7 @@ class FacesAt {
   std::map<std::array<double, 3>, std::vector<std::uint32_t>> at_;
 };
 
-/// Of the faces of the mesh that a convex sum became.
+/// The colours of the faces of the mesh that a convex sum became.
 std::vector<FaceColour> hull_colours(const SpatialSum& sum, const Mesh& mesh, Precision precision,
                                      const SolidOutput& how) {
   const std::vector<std::size_t> of_face = face_colours(sum, how);

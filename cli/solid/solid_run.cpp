@@ -13,7 +13,7 @@
 namespace dymsum::cli {
 namespace {
 
-/// As solid_tier; 0 where nothing was computed on a grid.
+/// The tier that solid_tier has; 0 where nothing was computed on a grid.
 int grid_tier(const SpatialSum& sum) {
   return sum.is_convex() ? sum.stats.bits : sum.stats.cells == 0 ? 0 : solid_tier(sum.stats.bits);
 }

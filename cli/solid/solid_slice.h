@@ -5,7 +5,7 @@
 
 namespace dymsum::cli {
 
-/// With `reflected` that of P (+) -Q. Writes planar files.
+/// Runs a slice of P (+) Q, with `reflected` one of P (+) -Q. Writes planar files.
 ExitCode run_solid_slice(const SumCommand& command, double z, bool reflected);
 
 }  // namespace dymsum::cli

@@ -39,7 +39,7 @@ struct Answer {
   std::optional<Contact> contact;
 };
 
-/// Of an obstacle that is `times` as large.
+/// The weight for an obstacle that is `times` as large.
 double read_weight(const std::string& text, const ObstacleQueries& queries, double times) {
   if (text.empty()) return queries.gyration_radius();
   if (text == "inf") return std::numeric_limits<double>::infinity();
@@ -52,7 +52,7 @@ double read_weight(const std::string& text, const ObstacleQueries& queries, doub
   return *weight * times;
 }
 
-/// In the units of robot and obstacle as they were given. Weight and quotients are rounded.
+/// The clearance in the units of robot and obstacle as they were given. Weight and quotients are rounded.
 Clearance divided(Clearance c, const Rational& times) {
   if (times == Rational(1)) return c;
   constexpr double kRoundings = 0x1p-50;
@@ -95,7 +95,7 @@ Json answer_json(const Answer& a) {
   return json;
 }
 
-// With the error where digits that are printed are in doubt.
+// The distance, with the error where digits that are printed are in doubt.
 std::string distance_text(const Clearance& c) {
   std::ostringstream text;
   text << std::abs(c.distance);

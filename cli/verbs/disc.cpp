@@ -85,7 +85,7 @@ DiscSet made_at(const DiscMaker& make, const DiscRadius& r, std::size_t event_co
   return require_of(inputs, std::move(set));
 }
 
-/// With its error: as text where doubles do not hold it.
+/// The area with its error: as text where doubles do not hold it.
 std::pair<Measure, Measure> any_area(const DiscSet& set) {
   const Measured made = area(set);
   if (set.parts.empty() || (std::isnormal(made.value) && std::isfinite(made.error))) return {made.value, made.error};
@@ -103,7 +103,7 @@ struct MadePolygons {
 /// A 1000th of the radius, or the least that to_region takes where positions are coarser than that.
 double default_error(const DiscSet& set) { return set.radius > 0 ? std::max(set.radius / 1000, 8 * set.at_error) : 1; }
 
-/// Inside the set where nothing is said; nearest to it where those inside cross each other.
+/// The polygons of a set: inside it where nothing is said; nearest to it where those inside cross each other.
 MadePolygons made_polygons(const DiscCommand& command, const DiscSet& set) {
   const double error = command.error.value_or(default_error(set));
   const std::string bound = command.bound.value_or("inside");
@@ -185,7 +185,7 @@ Json disc_json(const DiscCommand& command, const std::vector<Input>& inputs, con
   return json;
 }
 
-/// With its error where that is more than a billionth of it.
+/// The area, with its error where that is more than a billionth of it.
 std::string area_shown(const DiscSet& set) {
   const auto [value, error] = any_area(set);
   const Measured rough = area(set);

@@ -94,7 +94,7 @@ Json plan_json(const Plan& plan) {
           {"work", json_without(plan.work, {"ms"})}};
 }
 
-// Of one goal its plan; of several a list of them.
+// Adds the plan of one goal, or a list of those of several.
 void add_plans(Json& json, const std::vector<Plan>& plans, const std::vector<PlacedRobot>& goals) {
   if (plans.size() == 1) {
     json.update(plan_json(plans[0]));

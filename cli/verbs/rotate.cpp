@@ -32,7 +32,8 @@ Angle whole_angle(const RotateCommand& command) {
   return command.angle.given() ? read_angle(command.angle) : Angle{Rational(360), true};
 }
 
-/// From zero to the end of the turn in equal steps. The end of a whole turn is its beginning, and shown once.
+/// The angles of frames, from zero to the end of the turn in equal steps. The end of a whole turn is its beginning, and
+/// shown once.
 std::vector<Angle> frame_angles(const RotateCommand& command) {
   const Angle turn = whole_angle(command);
   std::vector<Angle> angles;

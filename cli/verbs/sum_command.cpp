@@ -59,7 +59,7 @@ Region second_shown(const std::vector<Input>& inputs) {
   return require(snap_rounded(require(united(others, regular)))).region;
 }
 
-/// Of the operands in pictures: the second shown stands for all but the first.
+/// The names of the operands in pictures: the second shown stands for all but the first.
 SumNames names_of(const SumVerb& verb, std::size_t operands) {
   SumNames names = verb.names;
   const std::string sign = verb.name == "intersect"  ? " ∩ "

@@ -32,7 +32,7 @@ struct SumVerb {
   std::function<Result<SpatialSum>(const Mesh&, const Mesh&, const SpatialOptions&)> solid;  ///< of solids
   bool boolean = false;    ///< a Boolean operation, which has no convolution
   bool two_steps = false;  ///< made of two operations: neither has the convolution, nor the stages, of the operands
-  /// Of any number of solids; without it more than two are added.
+  /// The sum of any number of solids; without it more than two are added.
   std::function<Result<SpatialSum>(std::span<const Mesh>, const SpatialOptions&)> solids;
   std::string semantics = "closed";        ///< where --semantics is not given
   bool reflects_second = false;            ///< the convolution behind it is that of P and -Q

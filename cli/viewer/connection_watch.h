@@ -32,7 +32,7 @@ class ConnectionWatch {
   /// The connection whose other end has this port.
   void keep(int peer);
   void release(int peer);
-  /// From now on all are cut, kept ones after a moment in which they may end by themselves.
+  /// Cuts all connections from now on, kept ones after a moment in which they may end by themselves.
   void cut_all();
 
  private:

@@ -46,7 +46,8 @@ void refuse(httplib::Response& response, int status, const std::string& why) {
   response.set_content(why + "\n", "text/plain; charset=utf-8");
 }
 
-/// With its length: httplib would compress other texts at every request, which takes longer than to send them here.
+/// Answers with a text and its length: httplib would compress other texts at every request, which takes longer than to
+/// send them here.
 void answer(httplib::Response& response, std::shared_ptr<const std::string> text, const char* type) {
   const std::size_t size = text->size();
   response.set_content_provider(size, type, [text](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
@@ -134,8 +135,8 @@ class LoopbackServer::State {
     throw Stop(kBadInput, "dymsum: cannot listen on " + position + ": " + std::strerror(errno));
   }
 
-  /// Only requests that were meant for this server: a page of another site can reach the loopback, by a name of its own
-  /// that leads here, but not under the name of the loopback.
+  /// Accepts only requests that were meant for this server: a page of another site can reach the loopback, by a name of
+  /// its own that leads here, but not under the name of the loopback.
   Judgement judge(const httplib::Request& request, httplib::Response& response) const {
     if (request.get_header_value_count("Host") != 1 || !is_mine(request.get_header_value("Host"))) {
       refuse(response, 403, "This server answers only as " + std::string(kHost) + ":" + std::to_string(port_) + ".");

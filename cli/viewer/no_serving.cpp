@@ -1,4 +1,4 @@
-// In place of serving.cpp and loopback_server.cpp where a program cannot listen, as in a browser.
+// This file is in place of serving.cpp and loopback_server.cpp where a program cannot listen, as in a browser.
 #include "exit_code.h"
 #include "viewer/serving.h"
 

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// About outputs, reports and this program's own work, or done to the inputs already: nothing of it changes what is
-/// shown.
+/// Options about outputs, reports and this program's own work, or done to the inputs already: nothing of it changes
+/// what is shown.
 constexpr std::array<std::string_view, 16> kNotShown{
     "o",    "json",    "repeat", "exact", "memory", "threads",  "help",         "port",
     "page", "no-open", "repair", "hull",  "margin", "obstacle", "round-repair", "round"};

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr const char* kVariable = "DYMSUM_VIEWER";
 constexpr std::string_view kOpening = R"(<script id="dymsum-data" type="application/json">)", kClosing = "</script>";
 
-/// Where the viewer lies as seen from the folder of the program: installed, and in the build tree.
+/// The viewer's file as seen from the folder of the program: installed, and in the build tree.
 constexpr const char* kPositions[] = {"../share/dymsum/viewer.html", "../../web/viewer/dist/index.html"};
 
 std::string hole() { return std::string(kOpening) + std::string(kClosing); }

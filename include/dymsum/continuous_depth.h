@@ -61,7 +61,7 @@ struct ContinuousContact {
   /// Derivatives of `depth` by the translation of Q, and by a turn of Q about its origin if the boundary's normals did
   /// not turn with it (exact for smoothing length 0).
   Point3 gradient, torque;
-  /// At most so many radians does `normal` turn for a unit of translation of Q, to first order.
+  /// The most radians that `normal` turns for a unit of translation of Q, to first order.
   double turn_rate = 0;
   double error = 0;  ///< of euclidean_depth, and of the equation that `depth` and `normal` solve
 
@@ -85,8 +85,9 @@ class DepthPatch {
 
   /// True where `at` knows enough of the boundary.
   bool covers(Point3 q_moved_by) const;
-  /// As ContinuousDepth::query at the patch's orientation, following this patch's last answer. Requires a finite
-  /// translation (else std::invalid_argument). Where the patch does not cover it, all is about what the patch knows.
+  /// The answer of ContinuousDepth::query at the patch's orientation, following this patch's last answer. Requires a
+  /// finite translation (else std::invalid_argument). Where the patch does not cover it, all is about what the patch
+  /// knows.
   ContinuousContact at(Point3 q_moved_by);
 
  private:

@@ -33,7 +33,7 @@ struct FacetChange {
   friend bool operator==(const FacetChange&, const FacetChange&) = default;
 };
 
-/// From one solid to the next.
+/// What changes from one solid to the next.
 struct SolidChanges {
   std::vector<FacetChange> facets;  ///< sorted by index; the others have the same vertices
   std::vector<std::uint32_t> vertices_appeared, vertices_disappeared;  ///< indices, sorted

@@ -66,11 +66,12 @@ class ConvexSum {
     friend auto operator<=>(const Vertex&, const Vertex&) = default;
   };
 
-  /// At the identity, of solids of any size. Errors: not_convex with the reflex edge, no_area for an empty operand.
+  /// The sum at the identity, of solids of any size. Errors: not_convex with the reflex edge, no_area for an empty
+  /// operand.
   static Result<ConvexSum> create(const Mesh& p, const Mesh& q);
-  /// Of a convex sum and one more solid, from the exact positions of the sum: P's vertices and faces are those of `p`
-  /// by their indices. Errors also: unsupported_operand for sums that are not SpatialSum::is_convex, and at poses at
-  /// which positions are no binary fractions.
+  /// The sum of a convex sum and one more solid, from the exact positions of the sum: P's vertices and faces are those
+  /// of `p` by their indices. Errors also: unsupported_operand for sums that are not SpatialSum::is_convex, and at
+  /// poses at which positions are no binary fractions.
   static Result<ConvexSum> create(const SpatialSum& p, const Mesh& q);
 
   ConvexSum(const ConvexSum&);  ///< an independent copy
@@ -118,11 +119,11 @@ class ConvexSum {
   /// first call makes all of it. O(faces + crossings) comparisons of indices, O(vertices) additions, and the facets
   /// that changed; no memory is allocated once warm, unless the poses are scaled.
   const ConvexSolid& solid();
-  /// From mixed volumes, O(faces): independent of the facets.
+  /// The exact volume from mixed volumes, O(faces): independent of the facets.
   Rational volume_exact() const;
-  /// With a relative error of at most 1e-12, wherever and of whatever shape the operands are; beyond the range of
-  /// doubles infinite, below that of ordinary ones to the nearest. O(faces); in exact arithmetic for solids much
-  /// thinner than long.
+  /// The volume with a relative error of at most 1e-12, wherever and of whatever shape the operands are; beyond the
+  /// range of doubles infinite, below that of ordinary ones to the nearest. O(faces); in exact arithmetic for solids
+  /// much thinner than long.
   double volume() const;
   /// Memory held, operands included (without what lies behind arbitrary precision).
   std::size_t bytes() const;

@@ -171,8 +171,8 @@ class CspaceObstacle {
   /// The free cell on the right of a patch in a slab.
   std::uint32_t free_cell(std::uint32_t slab, std::uint32_t patch) const;
 
-  /// Where a patch starts and ends at an angle of its interval, in doubles: within a few roundings unless the lines are
-  /// nearly parallel.
+  /// The points at which a patch starts and ends at an angle of its interval, in doubles: within a few roundings unless
+  /// the lines are nearly parallel.
   std::array<Point, 2> ends(const Patch& patch, double theta) const;
 
   /// The exact slice O (+) -R(theta), by the static engine.

@@ -86,9 +86,9 @@ Rational twice_area(const RationalRing& ring);
 /// The pieces with every coordinate rounded to the nearest double. Errors: rounding_changed_topology where a piece is
 /// no valid region then, with its index as the evidence's part, and what happens where.
 Result<std::vector<Region>> rounded(const Decomposition& decomposition);
-/// As rounded(), but of a piece that is no valid region then colliding vertices are merged, and rings that collapse are
-/// dropped, as repair() does; where nothing is left of a piece its region is empty. Every report says what was done.
-/// Errors: rounding_changed_topology where edges of a piece cross.
+/// The pieces of rounded(), but of a piece that is no valid region then colliding vertices are merged, and rings that
+/// collapse are dropped, as repair() does; where nothing is left of a piece its region is empty. Every report says what
+/// was done. Errors: rounding_changed_topology where edges of a piece cross.
 Result<std::vector<Repaired>> rounded_with_repair(const Decomposition& decomposition);
 
 }  // namespace dymsum

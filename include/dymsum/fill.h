@@ -1,4 +1,4 @@
-// Which positions lie inside of closed curves or surfaces that cross, touch or lie on each other: by winding number.
+// The positions that lie inside of closed curves or surfaces that cross, touch or lie on each other: by winding number.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace dymsum {
 
-/// By the winding number, that is how often rings go around a position counter-clockwise, or surfaces seen from
+/// A rule for the winding number, that is how often rings go around a position counter-clockwise, or surfaces seen from
 /// outside; those that run the other way count as -1.
 enum class Fill : std::uint8_t {
   positive,  ///< 1 or more: the union of sets, their holes taken out

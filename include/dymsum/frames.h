@@ -10,7 +10,7 @@
 
 namespace dymsum {
 
-/// Which operand moves: is scaled or turned, about the origin of its coordinates.
+/// The operand that moves: is scaled or turned, about the origin of its coordinates.
 enum class MovingOperand : std::uint8_t { p, q };
 
 /// How frames are made. automatic: the controller chooses between the two by what they have cost, with hysteresis.

@@ -49,7 +49,7 @@ struct CornerDisc {
   friend bool operator==(const CornerDisc&, const CornerDisc&) = default;
 };
 
-/// Where two pieces of a boundary meet.
+/// A point at which two pieces of a boundary meet.
 struct DiscCorner {
   enum class Kind : std::uint8_t {
     none,      ///< a whole circle starts nowhere in particular
@@ -98,7 +98,7 @@ struct DiscSegment {
   DiscCorner from, to;
 };
 
-/// Where polygons that stand for a set lie: in it, around it, or with all vertices on its boundary.
+/// The side on which polygons that stand for a set lie: in it, around it, or with all vertices on its boundary.
 enum class DiscBound : std::uint8_t { inside, outside, nearest };
 
 struct DiscPolygons {
@@ -140,7 +140,7 @@ struct MeasuredText {
   std::string value, error;
 };
 MeasuredText area_text(const DiscSet& set);
-/// Of all boundary rings; pieces without area do not count.
+/// The length of all boundary rings; pieces without area do not count.
 Measured perimeter(const DiscSet& set);
 /// {min x, min y, max x, max y} within at_error; zeros for the empty set.
 std::array<double, 4> bounds(const DiscSet& set);

@@ -70,7 +70,7 @@ class Mesh {
   const std::vector<Face>& faces() const { return data_.faces; }
   bool empty() const { return data_.faces.empty(); }
   std::size_t shell_count() const { return shells_; }  ///< of the solid
-  /// Which faces are thin; empty where none is.
+  /// Whether each face is thin; empty where none is.
   const std::vector<bool>& thin_faces() const { return thin_; }
   bool has_thin_parts() const { return !thin_.empty(); }
   /// Pairs of vertices that an edge joins.

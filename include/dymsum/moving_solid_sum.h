@@ -52,8 +52,8 @@ struct SolidFrameChanges {
 /// (docs/design/moving-solids.md).
 class MovingSolidSum {
  public:
-  /// At the identity. Operands as of minkowski_sum; with thin parts every frame is computed from scratch. Errors: as
-  /// minkowski_sum; out_of_range for threads below 0.
+  /// The sum at the identity. Operands as of minkowski_sum; with thin parts every frame is computed from scratch.
+  /// Errors: as minkowski_sum; out_of_range for threads below 0.
   static Result<MovingSolidSum> create(const Mesh& p, const Mesh& q, const MovingSolidOptions& options = {});
   MovingSolidSum(MovingSolidSum&&) noexcept;
   MovingSolidSum& operator=(MovingSolidSum&&) noexcept;
@@ -69,7 +69,8 @@ class MovingSolidSum {
   /// The exact sum at the current poses; valid until the next set(). Copies stay valid for ever.
   const SpatialSum& sum() const;
   const SolidFrameWork& work() const;
-  /// From the frame before the last set() to the sum now; O(edges log edges). Nothing changed before the first set().
+  /// What changed from the frame before the last set() to the sum now; O(edges log edges). Nothing changed before the
+  /// first set().
   SolidFrameChanges changes() const;
 
  private:

@@ -31,7 +31,7 @@ struct RegionRepairOptions {
   std::vector<RegionRepairKind> kinds = all_region_repairs();  ///< those that may be made
 };
 
-/// Where something was repaired.
+/// A position at which something was repaired.
 struct RegionRepairMark {
   RegionRepairKind kind;
   Point at;

@@ -59,8 +59,8 @@ MeshClosure closure(const ObstacleMesh& mesh);
 /// The integral over theta of the area of the slices. Requires: no open edges.
 double enclosed_volume(const ObstacleMesh& mesh);
 
-/// For files: z is theta times extent / (2 pi), so that the full turn is as high as the obstacle is wide. Face k is
-/// triangle k.
+/// The mesh for files: z is theta times extent / (2 pi), so that the full turn is as high as the obstacle is wide. Face
+/// k is triangle k.
 MeshData mesh_data(const ObstacleMesh& mesh);
 
 /// The same as a closed surface in space: behind the triangles stand the faces of the slice at -pi and of that at pi,

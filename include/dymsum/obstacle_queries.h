@@ -82,7 +82,7 @@ class ObstacleQueries {
   Clearance clearance(const Configuration& from, double weight, Touching touching = Touching::allowed) const;
   /// 2^40 times the extent of the obstacle: beyond, an angle in doubles says nothing about a distance.
   double largest_weight() const;
-  /// With the robot's radius of gyration about the reference point.
+  /// The clearance with the robot's radius of gyration about the reference point.
   Clearance clearance(const Configuration& from) const { return clearance(from, gyration_radius()); }
   /// The root of the mean square distance of the robot's points, those of a segment too, from the origin of its
   /// coordinates.

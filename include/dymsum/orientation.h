@@ -30,13 +30,14 @@ class Orientation {
   static Orientation half_turn();
   /// "3/7", "0.25" or "-1e-3", each exactly what it says; "inf" is half a turn. Errors: malformed; bad_rotation.
   static Result<Orientation> parse(std::string_view tan_half);
-  /// Within 2^-50 of the angle, which may be any finite double: it is reduced by whole turns exactly. Quarter turns are
-  /// met exactly: as doubles give them up to half a turn, and beyond by what is within 2^-50 of their multiples (the
-  /// doubles of these up to about 4 pi; farther out a double says what it says). Errors: bad_rotation for an angle that
-  /// is not finite.
+  /// An orientation within 2^-50 of the angle, which may be any finite double: it is reduced by whole turns exactly.
+  /// Quarter turns are met exactly: as doubles give them up to half a turn, and beyond by what is within 2^-50 of their
+  /// multiples (the doubles of these up to about 4 pi; farther out a double says what it says). Errors: bad_rotation
+  /// for an angle that is not finite.
   static Result<Orientation> nearest(double radians);
-  /// Within `error` of the angle, and the simplest one within 0.99 of it: fewer bits, faster exact signs. Errors:
-  /// bad_rotation for an angle that is not finite, and for an error below kAngularError, which cannot be promised.
+  /// An orientation within `error` of the angle, and the simplest one within 0.99 of it: fewer bits, faster exact
+  /// signs. Errors: bad_rotation for an angle that is not finite, and for an error below kAngularError, which cannot be
+  /// promised.
   static Result<Orientation> nearest(double radians, double error);
 
   bool is_half_turn() const { return half_turn_; }

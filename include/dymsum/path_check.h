@@ -36,9 +36,9 @@ struct ExactPose {
   double theta = 0;
 };
 
-/// From each pose to the next, x, y and theta linear in time: exactly where it is a translation, or a rotation in place
-/// the way theta says at face value (with Orientation::nearest at both ends), by check_motion where it is both.
-/// Errors: malformed for an empty path; cancelled, as above; as these checks.
+/// Checks the motion from each pose to the next, x, y and theta linear in time: exactly where it is a translation, or a
+/// rotation in place the way theta says at face value (with Orientation::nearest at both ends), by check_motion where
+/// it is both. Errors: malformed for an empty path; cancelled, as above; as these checks.
 Result<PathCheck> check_path(const Region& robot, const Region& obstacle, std::span<const Configuration> poses,
                              Touching touch = Touching::allowed, const MotionOptions& options = {},
                              const Progress& progress = {});

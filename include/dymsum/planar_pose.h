@@ -1,4 +1,4 @@
-// Where a region stands: rotated and scaled, exactly.
+// The pose of a region: rotated and scaled, exactly.
 #pragma once
 
 #include <array>

@@ -152,8 +152,8 @@ class PlanarSum {
   /// The set rounded to doubles, every vertex correctly rounded. Error rounding_changed_topology, with the position,
   /// where rounding would make rings cross, merge or collapse. Tight features are not part of the set.
   Result<Region> rounded() const;
-  /// As rounded(), but vertices that collide after rounding are merged, rings that collapse are dropped and segments
-  /// that collapse become points; the report says how many.
+  /// The region of rounded(), but vertices that collide after rounding are merged, rings that collapse are dropped and
+  /// segments that collapse become points; the report says how many.
   Result<Repaired> rounded_with_repair() const;
 
   /// Same set and same tight features, exactly. Provenance and stats are not compared.

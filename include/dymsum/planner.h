@@ -87,8 +87,8 @@ struct PlanOptions {
   /// `undecided` after that. The steps between two looks at the clock, a slice or a way in one, are finished; infinity
   /// is allowed.
   double time_limit_seconds = 60;
-  /// About how many bytes of slices are kept for when they are looked at again; the others are computed again. Not less
-  /// than the few that one step looks at.
+  /// The number of bytes, nearly, that of slices are kept for when they are looked at again; the others are computed
+  /// again. Not less than the few that one step looks at.
   std::uint64_t slice_bytes = std::uint64_t{1} << 28;
   Progress progress;
   /// Bytes that the search may hold at a time in arrays which grow faster than the operands, the slices that are kept

@@ -34,7 +34,7 @@ class Rational {
   /// Errors: malformed, with the text. O(n^2) for n characters.
   static Result<Rational> parse(std::string_view text);
 
-  /// In lowest terms, as decimal digits; the numerator has the sign, the denominator is positive. O(b^2).
+  /// The numerator in lowest terms, as decimal digits; it has the sign, the denominator is positive. O(b^2).
   std::string numerator() const;
   std::string denominator() const;
   bool is_integer() const;

@@ -10,8 +10,8 @@ namespace dymsum {
 /// that what lies above one another coincides.
 enum class ThirdCoordinates : std::uint8_t { refused, dropped };
 
-/// On which side of a curve the chords lie that stand for it: with their ends on the curve, or inside or outside of the
-/// region that it bounds with others, but for the rounding of coordinates.
+/// The side of a curve on which the chords lie that stand for it: with their ends on the curve, or inside or outside of
+/// the region that it bounds with others, but for the rounding of coordinates.
 enum class CurveBound : std::uint8_t { nearest, inside, outside };
 
 /// How curves of files become chords: every point of a curve has one of its chords within `error`, and every point of

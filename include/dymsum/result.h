@@ -54,8 +54,8 @@ enum class ErrorCode {
 /// The name of a code as it is written in code, for messages and JSON.
 std::string_view name(ErrorCode code);
 
-/// Where and what: every field is set only where it applies. Indices count from 0, lines from 1. Rings of a part:
-/// 0 is the outer ring, 1, 2, ... its holes.
+/// The position of a fault, and what is there: every field is set only where it applies. Indices count from 0, lines
+/// from 1. Rings of a part: 0 is the outer ring, 1, 2, ... its holes.
 struct Evidence {
   std::string file;
   std::optional<std::int64_t> line;

@@ -23,9 +23,9 @@ class Rotation {
 
   /// Errors: bad_rotation when all components are zero, or larger than 2^30 without common divisor.
   static Result<Rotation> of(std::int64_t w, std::int64_t x, std::int64_t y, std::int64_t z);
-  /// About an axis through the origin, counter-clockwise seen from its tip; exact for the identity, half turns about
-  /// and quarter turns about the axes of coordinates, else within kAngularError of the doubles given. Errors:
-  /// bad_rotation for a zero axis or numbers that are not finite.
+  /// A rotation about an axis through the origin, counter-clockwise seen from its tip; exact for the identity, half
+  /// turns about and quarter turns about the axes of coordinates, else within kAngularError of the doubles given.
+  /// Errors: bad_rotation for a zero axis or numbers that are not finite.
   static Result<Rotation> about(Point3 axis, double radians);
   /// The rotation of a quaternion of doubles, within kAngularError.
   static Result<Rotation> nearest(double w, double x, double y, double z);
@@ -39,7 +39,7 @@ class Rotation {
   std::array<std::int64_t, 9> matrix() const;
   /// The denominator of N.
   std::int64_t norm() const;
-  /// In [0, pi].
+  /// The angle, in [0, pi].
   double angle() const;
 
   friend bool operator==(const Rotation&, const Rotation&) = default;
@@ -48,7 +48,7 @@ class Rotation {
   std::array<std::int64_t, 4> q_{1, 0, 0, 0};
 };
 
-/// Where a solid stands: x -> rotation (diag(scale) x). Translation moves a sum along and is left to the caller.
+/// The pose of a solid: x -> rotation (diag(scale) x). Translation moves a sum along and is left to the caller.
 struct SolidPose {
   Rotation rotation;
   std::array<Scale, 3> scale;

@@ -33,7 +33,7 @@ class Scale {
   double approx_ = 1;
 };
 
-/// As Scale::parse, for the step of scale_steps: errors speak of steps.
+/// The same as Scale::parse, for the step of scale_steps: errors speak of steps.
 Result<Scale> parse_scale_step(std::string_view text);
 
 /// How a step leads from one scale to the next.
@@ -42,8 +42,9 @@ enum class StepKind : std::uint8_t {
   percent,     ///< (1 + step / 100) s, or s / (1 + step / 100), rounded down to a multiple of 2^-40: numbers stay short
 };
 
-/// From `from` to `to` in steps, both ends included exactly: the last step may be shorter, and the way leads down where
-/// `to` is smaller. Errors: bad_scale for more than `most` scales, and for steps that rounding leaves nothing of.
+/// The scales from `from` to `to` in steps, both ends included exactly: the last step may be shorter, and the way leads
+/// down where `to` is smaller. Errors: bad_scale for more than `most` scales, and for steps that rounding leaves
+/// nothing of.
 Result<std::vector<Scale>> scale_steps(const Scale& from, const Scale& to, const Scale& step, StepKind kind,
                                        std::size_t most);
 

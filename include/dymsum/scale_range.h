@@ -1,4 +1,4 @@
-// At which scales does a part fit: along a path past obstacles, at one position inside a container, or anywhere inside
+// The scales at which a part fits: along a path past obstacles, at one position inside a container, or anywhere inside
 // it.
 #pragma once
 

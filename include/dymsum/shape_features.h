@@ -59,7 +59,7 @@ struct FeatureBar {
   friend bool operator==(const FeatureBar&, const FeatureBar&) = default;
 };
 
-/// Where a disc touches the region.
+/// A point at which a disc touches the region.
 struct BridgeContact {
   bool at_vertex = false;
   std::uint32_t index = 0;  ///< vertex or edge of the region
@@ -89,8 +89,8 @@ class ShapeFeatures {
   const Region& region() const;
   /// Those of create() without the progress.
   const FeatureOptions& options() const;
-  /// In the order of their births; of equal ones in an order that rigid motions and reflections keep. Where bars
-  /// meet, the one goes on whose pocket holds the minimum; ties are decided by the region's geometry, too.
+  /// The bars in the order of their births; of equal ones in an order that rigid motions and reflections keep. Where
+  /// bars meet, the one goes on whose pocket holds the minimum; ties are decided by the region's geometry, too.
   const std::vector<FeatureBar>& bars() const;
   std::uint32_t event_count() const;
   /// The diameter, the nearest double. Requires: event < event_count() (else std::invalid_argument).
@@ -108,13 +108,13 @@ class ShapeFeatures {
   std::vector<std::uint32_t> lasting(const Rational& life, const Rational& from = {},
                                      const std::optional<Rational>& to = std::nullopt) const;
 
-  /// As lasting(), but by significance, in length and in order: a pocket is as significant as the lesser of how deep it
-  /// is where the bar dies and of how long it lasts there, counted from `counts_from`; so a shallow notch is not kept
-  /// however wide it is, and a dent takes nothing from a deep pocket that it meets. A life counts from the oldest that
-  /// the bar has met, but at every meeting a pocket of depth c is at most 4 c old. Of two pockets that meet one goes
-  /// on; the other counts as much as the less significant of both. A neck that opens again counts as much as it is
-  /// narrower than what is full behind it. Gaps count with their lives. Decided exactly for depths as doubles. Noise
-  /// moves significances as little as itself, to a factor that docs/design/shape-features.md states.
+  /// The bars of lasting(), but by significance, in length and in order: a pocket is as significant as the lesser of
+  /// how deep it is where the bar dies and of how long it lasts there, counted from `counts_from`; so a shallow notch
+  /// is not kept however wide it is, and a dent takes nothing from a deep pocket that it meets. A life counts from the
+  /// oldest that the bar has met, but at every meeting a pocket of depth c is at most 4 c old. Of two pockets that meet
+  /// one goes on; the other counts as much as the less significant of both. A neck that opens again counts as much as
+  /// it is narrower than what is full behind it. Gaps count with their lives. Decided exactly for depths as doubles.
+  /// Noise moves significances as little as itself, to a factor that docs/design/shape-features.md states.
   std::vector<std::uint32_t> significant(const Rational& significance, const Rational& from = {},
                                          const std::optional<Rational>& to = std::nullopt) const;
 

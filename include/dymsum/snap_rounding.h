@@ -18,8 +18,8 @@ struct Rounding {
   std::size_t lines = 0;            ///< polylines for what is thinner than rounding
   std::size_t points = 0;           ///< points for what is smaller
   std::size_t vanished_rings = 0;   ///< gaps that closed, and parts that lie within others now
-  /// In the unit of the coordinates: every point of the set is at most this far from the region, every point of the
-  /// region from the set, and every point of its boundary from the exact boundary.
+  /// The distance of what moved, in the unit of the coordinates: every point of the set is at most this far from the
+  /// region, every point of the region from the set, and every point of its boundary from the exact boundary.
   double moved = 0;
   double moved_ulps = 0;  ///< moved, in units in the last place of the largest coordinate
   /// "2 vertices merged, 1 edge collapsed, ...; moved by at most 3e-16"; "nearest doubles".

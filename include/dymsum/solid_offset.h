@@ -9,7 +9,7 @@
 
 namespace dymsum {
 
-/// On which side of the exact offset a result lies.
+/// The side of the exact offset on which a result lies.
 enum class OffsetBound : std::uint8_t {
   inside,   ///< contained in it: material that is provably there (the default)
   outside,  ///< containing it: room that is provably enough

@@ -1,4 +1,4 @@
-// At which scales does a solid part fit: along a path past obstacles, at one position inside a container, or anywhere
+// The scales at which a solid part fits: along a path past obstacles, at one position inside a container, or anywhere
 // inside it; and the sums of many scaled copies of one solid.
 #pragma once
 

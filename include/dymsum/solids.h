@@ -16,7 +16,7 @@ namespace dymsum::solids {
 inline constexpr double kDemoSnap = 0x1p-20;  ///< a `snap` for shapes of about unit size: what thesis_models have
 
 Mesh box(double x0, double y0, double z0, double x1, double y1, double z1, double snap = 0);  ///< 6 quadrangles
-/// Over a simple counter-clockwise ring, from z = 0: 2 faces and one for each edge.
+/// A prism over a simple counter-clockwise ring, from z = 0: 2 faces and one for each edge.
 Mesh prism(const Ring& base, double height, double snap = 0);
 /// A cube of this size about the origin, every face split into k x k squares of two triangles: 12 k^2 triangles.
 Mesh tessellated_cube(double size, int k, double snap = 0);

@@ -81,7 +81,7 @@ struct SpatialEdge {
 };
 
 struct SpatialStats {
-  /// Of coordinates on the common grid; of a convex sum (is_convex) ConvexSum::tier_bits.
+  /// The bits of coordinates on the common grid; of a convex sum (is_convex) ConvexSum::tier_bits.
   int bits = 0;
   /// Facets of the reduced convolution; of a convex sum its faces, those that lie in a face of an operand as
   /// face_vertex.
@@ -108,7 +108,8 @@ class SpatialSum {
   double at_error = 0;
   std::vector<SpatialFace> faces;
   std::size_t shells = 0;
-  /// Of every vertex the two vertices that touch there, or an edge and a vertex; none where three faces cross.
+  /// The contact of every vertex: the two vertices that touch there, or an edge and a vertex; none where three faces
+  /// cross.
   std::vector<std::optional<SolidContact>> vertex_contacts;
 
   /// Positions at which the operands touch without overlapping and that nothing outside comes near: passages exactly as
@@ -179,9 +180,9 @@ class SpatialSum {
   /// rounded(); of a convex sum not_finite past the range, rounding_changed_topology where two vertices round to one
   /// position or one is no longer a corner, with these vertices.
   Result<Mesh> rounded_mesh(Precision precision = Precision::doubles) const;
-  /// Of a convex sum the same hull of what is left where rounding changes the topology. The report's deviation is the
-  /// largest distance of a vertex from its exact position; no point of the two solids is further from the other one.
-  /// Errors: not_convex for other sums; not_finite; no_area when everything collapses into a plane.
+  /// The hull of a convex sum, the same of what is left where rounding changes the topology. The report's deviation is
+  /// the largest distance of a vertex from its exact position; no point of the two solids is further from the other
+  /// one. Errors: not_convex for other sums; not_finite; no_area when everything collapses into a plane.
   Result<HulledMesh> rounded_hull(Precision precision = Precision::doubles) const;
 
   /// The same set with the same tight features, exactly. Provenance and stats are not compared.

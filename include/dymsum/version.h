@@ -11,10 +11,10 @@
 #define DYMSUM_VERSION_TEXT(major, minor, patch) \
   DYMSUM_VERSION_TEXT_OF(major) "." DYMSUM_VERSION_TEXT_OF(minor) "." DYMSUM_VERSION_TEXT_OF(patch)
 
-/// As text: "0.1.0".
+/// The version as text: "0.1.0".
 #define DYMSUM_VERSION DYMSUM_VERSION_TEXT(DYMSUM_VERSION_MAJOR, DYMSUM_VERSION_MINOR, DYMSUM_VERSION_PATCH)
 
-/// To compare in `#if`: DYMSUM_VERSION_NUMBER >= 1200 means version 0.12.0 or later.
+/// The version as a number, to compare in `#if`: DYMSUM_VERSION_NUMBER >= 1200 means version 0.12.0 or later.
 #define DYMSUM_VERSION_NUMBER (DYMSUM_VERSION_MAJOR * 10000 + DYMSUM_VERSION_MINOR * 100 + DYMSUM_VERSION_PATCH)
 
 namespace dymsum {

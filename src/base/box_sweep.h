@@ -1,4 +1,4 @@
-// Which of many boxes meet: in the order of their left sides, eight at a time.
+// The pairs of many boxes that meet: in the order of their left sides, eight at a time.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ struct BoxQuanta {
   std::int16_t x0, y0, x1, y1;
 };
 
-/// For every box k in the order of their left sides: first requests wanted = wanted_by(k, i), k being the i-th; then
-/// calls meet(k, others) with those that start no earlier, meet it and are wanted(other). Returns how many pairs were
-/// compared.
+/// Goes through every box k in the order of their left sides: first requests wanted = wanted_by(k, i), k being the
+/// i-th; then calls meet(k, others) with those that start no earlier, meet it and are wanted(other). Returns how many
+/// pairs were compared.
 template <class WantedBy, class Meet>
 std::uint64_t sweep_boxes(std::span<const BoxQuanta> boxes, Scratch* memory, WantedBy&& wanted_by, Meet&& meet) {
   const auto n = static_cast<std::uint32_t>(boxes.size());

@@ -11,7 +11,7 @@
 
 namespace dymsum::base {
 
-/// Of an operation, times its result.
+/// The error of an operation, times its result.
 inline constexpr double kPairError = 0x1p-100;
 
 struct DoublePair {

@@ -7,17 +7,17 @@
 
 namespace dymsum::base {
 
-/// As std::to_chars(first, last, value), the end of the text: the fewest digits that read back, plain or with an
-/// exponent, whichever is shorter. Requires 32 characters of room.
+/// The function std::to_chars(first, last, value), which returns the end of the text: the fewest digits that read back,
+/// plain or with an exponent, whichever is shorter. Requires 32 characters of room.
 char* shortest_text(char* first, char* last, double value);
 
-/// As std::to_chars with std::chars_format::fixed. Requires room for it.
+/// The function std::to_chars with std::chars_format::fixed. Requires room for it.
 char* fixed_text(char* first, char* last, double value, int decimals);
 
-/// As printf's %.*g and as streams of that precision, which are a tenth of a page's module where one is used.
+/// The text of printf's %.*g and of streams of that precision, which are a tenth of a page's module where one is used.
 std::string general_text(double value, int digits);
 
-/// As std::from_chars.
+/// The function std::from_chars.
 std::from_chars_result read_double(const char* first, const char* last, double& value);
 
 }  // namespace dymsum::base

@@ -44,7 +44,7 @@ DoublePair series(DoublePair square, const std::array<DoublePair, 4>& first, con
   return DoublePair{1, 0} + sum * square;
 }
 
-/// Of |r| <= pi / 4.
+/// The sine and cosine of |r| <= pi / 4.
 SinCos near_zero(DoublePair r) {
   const DoublePair square = r * r;
   return {series(square, kSin, kSinEnd) * r, series(square, kCos, kCosEnd)};

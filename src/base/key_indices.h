@@ -18,7 +18,7 @@ class KeyIndices {
 
   explicit KeyIndices(Scratch* memory) : keys_(memory), slots_(memory) {}
 
-  /// In the order of their numbers.
+  /// The keys in the order of their indices.
   const Array<std::uint64_t>& keys() const { return keys_; }
 
   /// The number of a key, or kMissing.
@@ -42,7 +42,7 @@ class KeyIndices {
       if (keys_[k] == key) return static_cast<std::uint32_t>(k);
     return kMissing;
   }
-  // Where a key is, or the free slot where it belongs.
+  // The slot of a key, or the free one where it belongs.
   std::size_t slot_of(std::uint64_t key) const {
     const std::size_t mask = slots_.size() - 1;
     std::uint64_t hash = (key ^ (key >> 32)) * 0x9e3779b97f4a7c15;

@@ -72,7 +72,7 @@ class HeldMemory {
     budget_->take(bytes);
     bytes_ += bytes;
   }
-  /// Of those that were added.
+  /// Gives back bytes of those that were added.
   void give(std::uint64_t bytes) {
     if (budget_ == nullptr) return;
     budget_->give(bytes);
@@ -84,7 +84,7 @@ class HeldMemory {
   std::uint64_t bytes_ = 0;
 };
 
-/// Of arrays that count with the budget that was the current one when they were made.
+/// The allocator of arrays that count with the budget that was the current one when they were made.
 template <class T>
 class CountedAllocator {
  public:

@@ -15,7 +15,7 @@ int may_hold_new_files(const std::filesystem::path& folder);
 
 int write_to_standard_output(std::string_view text);
 
-/// Into a device or a pipe, which cannot be replaced.
+/// Writes into a device or a pipe, which cannot be replaced.
 int write_through(const std::filesystem::path& path, std::string_view text);
 
 /// A file beside its target that disappears unless `publish` succeeds: nameless where the system has such files, else
@@ -28,7 +28,7 @@ class OutputDraft {
   ~OutputDraft();
 
   int open();
-  /// With the permissions of an older target; returns when the text is on the disk.
+  /// Writes the file with the permissions of an older target; returns when the text is on the disk.
   int write(std::string_view text);
   /// Takes the target's name, and its position.
   int publish();

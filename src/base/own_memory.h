@@ -10,9 +10,9 @@
 
 namespace dymsum {
 
-/// To be the first member, so that the arrays behind it die before their memory does. A copy has arrays of its own on
-/// the heap, and what is assigned is copied into the arrays that are there: so neither changes whose memory it is.
-/// Arrays are made by one thread at a time.
+/// Memory that has to be the first member, so that the arrays after it die before their memory does. A copy has arrays
+/// of its own on the heap, and what is assigned is copied into the arrays that are there: so neither changes whose
+/// memory it is. Arrays are made by one thread at a time.
 class OwnMemory {
  public:
   OwnMemory() = default;
@@ -34,7 +34,7 @@ class OwnMemory {
     std::size_t used, size;
 
     std::byte* bytes() { return reinterpret_cast<std::byte*>(this + 1); }
-    // From the heap what the block does not hold.
+    // Takes from the heap what the block does not hold.
     void* take(std::size_t n) {
       const std::size_t room = (n + kAlign - 1) & ~(kAlign - 1);
       if (room > size - used) [[unlikely]]

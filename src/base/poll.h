@@ -27,12 +27,12 @@ class Poll {
   void operator()(double fraction) const {
     if (progress_ && !progress_(stage_, fraction)) throw Cancelled{};
   }
-  /// For loops: asks once in 4096 rounds.
+  /// Polls once in 4096 rounds of a loop.
   void at(std::size_t round, std::size_t rounds) const {
     if (round % 4096 == 4095) (*this)(static_cast<double>(round) / static_cast<double>(rounds));
   }
 
-  /// Where a round is a collision test.
+  /// Polls where a round is a collision test.
   void at_test(std::size_t round, std::size_t rounds) const {
     if (round % 16 == 15) (*this)(static_cast<double>(round) / static_cast<double>(rounds));
   }

@@ -9,7 +9,7 @@ namespace dymsum {
 
 class Stopwatch {
  public:
-  /// In milliseconds, since it was made or the last lap().
+  /// The milliseconds since it was made or the last lap().
   double ms() const { return in_ms(Clock::now() - begin_); }
   /// The same, and begins anew.
   double lap() {

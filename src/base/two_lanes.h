@@ -34,7 +34,7 @@ inline bool any(TwoDecided decided) {
 #endif
 }
 
-/// In both lanes; false where something is not a number.
+/// Whether it holds in both lanes; false where something is not a number.
 inline bool every(TwoDecided decided) {
 #ifdef __SSE2__
   return _mm_movemask_pd(reinterpret_cast<__m128d>(decided)) == 3;

@@ -255,7 +255,7 @@ class ContinuousDepth::State {
     return overlap_->holds(at);
   }
 
-  /// From the last pose to this one, by halves where that is not proved to follow.
+  /// Moves from the last pose to this one, by halves where that is not proved to follow.
   Result<void> step(const Point3& at, const Rotation& turned, int halvings, ContinuousContact& result) {
     const bool turns = !tracker_.position() || !(turned == turned_);
     const ContinuousTracker before = tracker_;
@@ -313,7 +313,7 @@ class ContinuousDepth::State {
     return solids_;
   }
 
-  /// Where no point of Q can meet P.
+  /// The pose is one at which no point of Q can meet P.
   void far_away(const Point3& at, const Rotation& turned) {
     auto position = std::make_shared<ContinuousPosition>();
     position->boundary = std::make_shared<const SpatialSum>();

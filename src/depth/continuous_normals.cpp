@@ -12,7 +12,8 @@ namespace {
 
 using spatial::dot;
 
-/// Of (b - rho^2)^2 and b - rho^2 over a face, and of (b - rho^2)^2 along its edges, times their outward directions.
+/// The integrals of (b - rho^2)^2 and b - rho^2 over a face, and of (b - rho^2)^2 along its edges, times their outward
+/// directions.
 struct FaceIntegrals {
   double square = 0, linear = 0;
   Vec3 rim;

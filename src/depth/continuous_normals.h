@@ -15,7 +15,7 @@ struct SmoothedNormal {
   Vec3 value;
   spatial::Mat3 derivative{};
 };
-/// In closed form, up to rounding. Requires the whole surface within l of x. O(n).
+/// The smoothed normal in closed form, up to rounding. Requires the whole surface within l of x. O(n).
 SmoothedNormal smoothed_normal(const ContinuousSurface& surface, double l, Vec3 x);
 
 }  // namespace dymsum::depth

@@ -138,8 +138,8 @@ bool goes_on(const NormalFoot& last, const NormalFoot& next, double moved, doubl
 
 namespace {
 
-/// Along a branch n turns by the integral of its rate. A turn that is larger than what the rates at both ends say may
-/// be a jump over two folds.
+/// Whether n turns as its rate says: along a branch it turns by the integral of its rate. A turn that is larger than
+/// what the rates at both ends say may be a jump over two folds.
 bool turns_as_its_rate(const NormalFoot& last, const NormalFoot& next, double moved) {
   const double turn = length(next.n - last.n);
   return turn <= kSmallTurn || turn <= 0.5 * kRateSlack * (last.turn_rate + next.turn_rate) * moved;

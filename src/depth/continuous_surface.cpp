@@ -56,7 +56,7 @@ SurfaceFace add_face(const std::vector<Vec3>& at, const std::vector<std::vector<
   return face;
 }
 
-/// Where a solid touches itself along an edge: the neighbour across the solid.
+/// The neighbour where a solid touches itself along an edge: the one across the solid.
 std::uint32_t neighbour(const ContinuousSurface& s, const SurfaceEdge& e, const std::vector<std::uint32_t>& others) {
   std::uint32_t best = kNoEdge;
   double least = kInfinite;
@@ -108,7 +108,7 @@ Vec3 nearest_of_edge(const std::vector<Vec3>& at, const SurfaceEdge& e, Vec3 fro
   return at[e.from] + s * e.along;
 }
 
-/// Of one face, where it is nearer than `best`.
+/// Offers the nearest point of one face, where it is nearer than `best`.
 void offer_face(const std::vector<Vec3>& at, const SurfaceFace& f, const std::vector<SurfaceEdge>& edges, Vec3 from,
                 std::uint32_t index, SurfacePoint& best) {
   if (box_distance(f, from) >= best.distance) return;
@@ -126,7 +126,7 @@ void offer_face(const std::vector<Vec3>& at, const SurfaceFace& f, const std::ve
   }
 }
 
-/// Of all faces at the nearest position the one that faces it most.
+/// Whether the surface is seen from inside: of all faces at the nearest position the one counts that faces it most.
 bool seen_from_behind(const ContinuousSurface& s, Vec3 from, const SurfacePoint& nearest) {
   const double near = nearest.distance * (1 + 0x1p-30);
   double most = 0;

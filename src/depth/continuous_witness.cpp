@@ -51,7 +51,8 @@ class Standing {
   Vec3 x_;
 };
 
-/// Where two segments come nearest, seen from the first one; nothing where they are parallel, as ends tell then.
+/// The position at which two segments come nearest, seen from the first one; nothing where they are parallel, as ends
+/// tell then.
 std::optional<Vec3> between_edges(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   const Vec3 u = b - a, v = d - c, r = c - a;
   const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), det = uu * vv - uv * uv;

@@ -1,4 +1,4 @@
-// Where two solids touch.
+// A position at which two solids touch.
 #pragma once
 
 #include <memory>

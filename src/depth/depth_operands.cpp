@@ -44,7 +44,7 @@ void set_scaled_positions(DepthOperands& o) {
   for (const Vec3& v : space.q()) o.q_at.push_back({f.x * v.x, f.y * v.y, f.z * v.z});
 }
 
-/// By doubles where the sides span a good angle, else rounded from integers.
+/// Sets the normals by doubles where the sides span a good angle, else rounded from integers.
 void set_normals(DepthOperands& o) {
   const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, {});
   o.normals.reserve(o.facets.size());

@@ -38,7 +38,7 @@ class ExactFrame {
 
   BigVector corner(spatial::SumPoint s) const;
   ExactPlane plane(const spatial::SumFacet& facet) const;
-  /// Through the facet edge from corner k on, and across the facet's plane; its normal points into the facet.
+  /// The plane through the facet edge from corner k on, and across the facet's plane; its normal points into the facet.
   ExactPlane facet_edge(const spatial::SumFacet& facet, int k) const { return facet_edge(facet, k, plane(facet)); }
 
   static ExactPosition foot(const ExactPlane& a);
@@ -52,7 +52,7 @@ class ExactFrame {
   ExactPosition nearest(const spatial::SumFacet& facet) const;
   bool holds(const spatial::SumFacet& facet, const ExactPosition& x) const;
 
-  /// Where it is seen from the origin, in the operands' own units.
+  /// The position as a vector from the origin, in the operands' own units.
   std::array<BigRational, 3> relative(const ExactPosition& x) const;
   std::array<BigRational, 3> absolute(const ExactPosition& x) const;
   const std::array<BigRational, 3>& origin() const { return at_; }
@@ -73,7 +73,7 @@ class ExactFrame {
   BigVector origin_;
 };
 
-/// Of the squares of two distances from the origin: -1, 0, 1.
+/// The order of the squares of two distances from the origin: -1, 0, 1.
 int compare_lengths(const ExactPosition& a, const ExactPosition& b);
 bool same_position(const ExactPosition& a, const ExactPosition& b);
 

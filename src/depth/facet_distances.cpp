@@ -13,8 +13,8 @@ namespace {
 // make up sqrt(3) of the spread; those across two edges by twice as much and the product of norms: 128. Positions err
 // by 16 + 16 of the reach.
 constexpr int kNormal = 128, kPosition = 32;
-// Of normal times place over the normal's length, times spread and reach over that length: the normal's error counts
-// again in the length; three products and their sum, the quotient and the root.
+// The error of normal times position over the normal's length, times spread and reach over that length: the normal's
+// error counts again in the length; three products and their sum, the quotient and the root.
 constexpr double kDistanceError = exact::rounding_bound(2 * kNormal + kPosition + 3 + 2, 512);
 // Squares above this have lost nothing to underflow.
 constexpr double kNotSmall = 0x1p-900;

@@ -38,8 +38,8 @@ class FacetDistances {
   std::array<double, 3> spread_{0, 0, 1};      // bounds of the lengths of normals, by kind of facet
   std::array<std::vector<Vec3>, 2> position_;  // of every vertex, seen from vertex 0, P's also from the point
   double reach_ = 0;                           // a bound of the lengths of positions, and of their sum
-  // Of the facets so far: an upper bound of the least distance, a little more than its square, and lower bounds of the
-  // distances of those that may have it.
+  // What is known of the facets so far: an upper bound of the least distance, a little more than its square, and lower
+  // bounds of the distances of those that may have it.
   double least_upper_ = std::numeric_limits<double>::infinity(), far_ = least_upper_;
   std::vector<std::pair<double, GenericFacet>> lower_;
 };

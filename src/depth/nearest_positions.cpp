@@ -145,7 +145,7 @@ void PositionSearch::look_for_free(std::uint32_t f) {
   }
 }
 
-/// In the same cell as a position that was free: then no collision test is needed.
+/// Whether a position is free. Where it is in the same cell as one that was free, no collision test is needed.
 bool PositionSearch::is_free(const ExactPosition& x, std::uint32_t facet) {
   const std::array<BigRational, 3> at = frame_.absolute(x);
   if (facet != DepthProbe::kNoFacet) {

@@ -40,7 +40,8 @@ std::vector<BoundaryPiece> boundary_pieces(const PlanarSum& sum) {
   return pieces;
 }
 
-// Along the edge in units of its length: squares of short ones underflow, those of long ones overflow.
+// The distance from the edge, along it in units of its length: squares of short ones underflow, those of long ones
+// overflow.
 double rough_distance(Point a, Point b, Point z) {
   const double dx = b.x - a.x, dy = b.y - a.y, size = std::max(std::abs(dx), std::abs(dy));
   if (!(size > 0)) return std::hypot(a.x - z.x, a.y - z.y);
@@ -49,7 +50,7 @@ double rough_distance(Point a, Point b, Point z) {
   return std::hypot(a.x + t * dx - z.x, a.y + t * dy - z.y);
 }
 
-/// As seen from z.
+/// A vertex as seen from z.
 PlaneVector seen_from(const PlaneVector& z, const PlanarSum& sum, const SumVertex& v) {
   const RationalPoint x = sum.exact(v);
   return {exact::exact_value(x.x) - z[0], exact::exact_value(x.y) - z[1]};

@@ -17,7 +17,7 @@ class PosedOverlap {
   /// The pair has to live as long. Throws std::invalid_argument where coordinates need more than 8,192 bits.
   PosedOverlap(const spatial::SolidPair& pair, const Rotation& q_turned);
 
-  /// By the definition: the interiors of P and of Q moved to `at` meet. Exact.
+  /// Whether the definition holds: the interiors of P and of Q moved to `at` meet. Exact.
   bool holds(const std::array<exact::BigRational, 3>& at);
 
  private:

@@ -16,9 +16,9 @@ class ProvedOverlap {
  public:
   explicit ProvedOverlap(const DepthOperands& o);
 
-  /// Of P and Q at all positions within `radius` of one, in each coordinate. Pairs that crossed at the last positions
-  /// are tried first, then those whose boxes overlap, some of them; then places inside one solid, whether they are
-  /// inside the other: they determine where faces are flush and nothing crosses.
+  /// Whether P and Q provably overlap at all positions within `radius` of one, in each coordinate. Pairs that crossed
+  /// at the last positions are tried first, then those whose boxes overlap, some of them; then places inside one solid,
+  /// whether they are inside the other: they determine where faces are flush and nothing crosses.
   bool holds(spatial::Vec3 at, double radius);
 
  private:

@@ -69,7 +69,7 @@ class RayExit {
   void add_corner(const spatial::SumFacet& facet, int k) {
     add_length(exact::dot(frame_.corner(facet.corner[static_cast<std::size_t>(k)]), way_), exact::dot(way_, way_));
   }
-  /// In units of the frame over way_: of the operands' units over the direction.
+  /// Adds a length in units of the frame over way_: of the operands' units over the direction.
   void add_length(const Big& num, const Big& den) {
     BigRational s = exact::ratio(num, den);
     if (s <= 0) return;

@@ -1,4 +1,4 @@
-// Where a ray from a position in the open sum first comes to a free position.
+// The first free position on a ray from a position in the open sum.
 #pragma once
 
 #include "depth/boundary_distance.h"

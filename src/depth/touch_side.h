@@ -40,9 +40,9 @@ struct TouchSide {
   spatial::Vec3 approx(std::uint32_t vertex, int scale) const;
 };
 
-/// Of a mesh: faces cut into triangles, points and segments as they are. Features by its indices.
+/// The side of a mesh: faces cut into triangles, points and segments as they are. Features by its indices.
 TouchSide touch_side(const Mesh& mesh);
-/// Of a region: its edges at height 0; an edge is named by the vertex that it starts from, as `a`.
+/// The side of a region: its edges at height 0; an edge is named by the vertex that it starts from, as `a`.
 TouchSide touch_side(const Region& region);
 
 }  // namespace dymsum::depth

@@ -285,7 +285,7 @@ void TouchSearch::add_crossings(std::uint32_t i, std::uint32_t j, std::vector<st
   }
 }
 
-/// Where the relative interiors of two edges have one position in common.
+/// The position that the relative interiors of two edges have in common, if it is one.
 std::optional<ExactPosition> TouchSearch::crossing(const Simplex& e, const Simplex& f) {
   const Vec3 near = approx(0, e[0]);
   if (proved_sign(approx(0, e[1]) - near, approx(1, f[0]) - near, approx(1, f[1]) - near, 2 * off_) != 0)
@@ -323,8 +323,8 @@ void TouchSearch::add_cells(std::uint32_t i, std::uint32_t j, std::vector<std::u
         }
 }
 
-/// Of the relative interiors' common positions, of which these are the corners; nothing where they lie on one side of
-/// either, or are one point.
+/// The dimension of the relative interiors' common positions, of which these are the corners; nothing where they lie on
+/// one side of either, or are one point.
 std::optional<int> TouchSearch::common_dimension(const Simplex& s, const Simplex& t,
                                                  const std::vector<std::uint32_t>& points) {
   if (points.size() < 2) return std::nullopt;

@@ -12,7 +12,7 @@
 namespace dymsum::exact {
 namespace {
 
-/// By the bounds alone, if they are apart. Both bounds of a root equal it or are strictly beyond it.
+/// Compares by the bounds alone, if they are apart. Both bounds of a root equal it or are strictly beyond it.
 std::optional<int> compare_bounds(const AlgebraicRoot& a, const AlgebraicRoot& b) {
   const bool below = a.high() <= b.low(), above = b.high() <= a.low();
   if (below && above) return 0;
@@ -42,7 +42,7 @@ bool equal_roots(const RootBracket& a, const RootBracket& b) {
   return common.degree() > 0 && sign_at(common, low) != sign_at(common, high);
 }
 
-/// Of distinct roots. Ends once the brackets are apart.
+/// Compares distinct roots. It ends once the brackets are apart.
 int compare_distinct(RootBracket& a, RootBracket& b) {
   for (;;) {
     if (compare(a.high(), b.low()) <= 0) return -1;

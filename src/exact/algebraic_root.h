@@ -24,7 +24,7 @@ class AlgebraicRoot {
   /// A polynomial of which this is a simple root: the one it was found for or, from the exact path, a square-free
   /// factor of that.
   const Polynomial& polynomial() const { return f_; }
-  /// As a root of the polynomial that it was found for.
+  /// Its multiplicity as a root of the polynomial that it was found for.
   int multiplicity() const { return multiplicity_; }
   /// That polynomial changes sign here; false where it touches zero.
   bool changes_sign() const { return multiplicity_ % 2 != 0; }

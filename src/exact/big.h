@@ -47,7 +47,7 @@ class Big {
 inline const Big& to_big(const Big& v) { return v; }
 Big to_big(std::int64_t v);
 Big to_big(i128 v);
-/// From limbs in two's complement, least significant first.
+/// The integer that has these limbs, in two's complement, least significant first.
 Big to_big(const std::uint64_t* limbs, int count);
 
 template <int N>

@@ -24,8 +24,8 @@ inline BinaryParts binary_parts(double v, int shift = 0) {
   return {mantissa, exponent + shift};
 }
 
-/// Within 2^-51 of the value, exactly where that has at most 53 binary digits. What is cut off first is below 2^-100 of
-/// the value: no less than two whole limbs are left, and rounding them as to_double does errs by 2^-52.
+/// A double within 2^-51 of the value, exactly where that has at most 53 binary digits. What is cut off first is below
+/// 2^-100 of the value: no less than two whole limbs are left, and rounding them as to_double does errs by 2^-52.
 template <int B>
 BinaryParts binary_parts(const Int<B>& v) {
   if constexpr (B <= 960) {

@@ -109,7 +109,7 @@ class FineInterval {
   bool is_zero() const { return radius_ == 0 && midpoint_.high == 0 && midpoint_.low == 0; }
   double size() const { return std::abs(midpoint_.high) * kOutwards; }
   bool is_moderate() const { return midpoint_.high == 0 || std::abs(midpoint_.high) > kSmall; }
-  /// With the midpoint 0 instead of one that is too small.
+  /// The same interval with the midpoint 0 instead of one that is too small.
   FineInterval folded() const {
     return is_moderate() ? *this : FineInterval(base::DoublePair{}, (radius_ + size()) * kOutwards + kUnderflow);
   }

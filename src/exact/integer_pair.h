@@ -9,7 +9,7 @@ namespace dymsum::exact {
 
 using base::DoublePair;
 
-/// Of an integer as a pair, times itself.
+/// The error of an integer as a pair, times itself.
 inline constexpr double kIntegerPairError = 0x1p-104;
 
 /// Requires |v| <= 2^126. Either double errs by 2^-53 of what it rounds.

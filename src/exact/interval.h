@@ -105,7 +105,7 @@ class Interval {
   static constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
   static Interval around(double low, double high) { return {below(low), above(high)}; }
-  /// For numbers that are not negative.
+  /// The interval of numbers that are not negative.
   static Interval around_positive(double low, double high) { return {std::max(below(low), 0.0), above(high)}; }
 
   /// Knuth's error of a sum; NaN, where something overflows on the way, is no zero.

@@ -74,7 +74,8 @@ SignAnswer exact_answer(const Point3& a, const Point3& b, const Point3& c, const
   return {grid_sign<Big>(a, b, c, d, g), Rung::big};
 }
 
-/// In pairs of doubles: points that are nearly in one plane, as those of a plane face that was turned in doubles.
+/// The sign in pairs of doubles, for points that are nearly in one plane, as those of a plane face that was turned in
+/// doubles.
 std::optional<int> fine_sign(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const auto from_a = [&](const Point3& p) {
     return Vector<FineInterval>{FineInterval::difference(a.x, p.x), FineInterval::difference(a.y, p.y),

@@ -42,9 +42,9 @@ class RootBracket {
   /// fails halves what the next one tries, and one that tries a single bit succeeds: ten calls at least halve it.
   /// Quadratic interval refinement (Abbott, 2006).
   void refine();
-  /// Until high - low <= 2^-bits.
+  /// Refines until high - low <= 2^-bits.
   void refine_to(long bits);
-  /// Until (high - low) 2^53 < |x| or x is found to be 0; then x is low = high if it is a double.
+  /// Refines until (high - low) 2^53 < |x| or x is found to be 0; then x is low = high if it is a double.
   void refine_to_double();
   /// The sign of root - x; narrows the bracket to the side of x.
   int compare_to(const DyadicNumber& x);

@@ -94,7 +94,8 @@ double nearest_double(const RootExpression& a);
 /// a. The whole line past the range of doubles.
 Interval narrow_interval(const RootExpression& a);
 
-/// As a formula of integers, + - * / and sqrt(): "sqrt(2) + 3/4". As long as the expression without sharing.
+/// The expression as a formula of integers, + - * / and sqrt(): "sqrt(2) + 3/4". As long as the expression without
+/// sharing.
 std::string to_text(const RootExpression& a);
 
 }  // namespace dymsum::exact

@@ -45,7 +45,7 @@ Evaluation evaluate(const Polynomial& p, double t) {
 constexpr std::array<std::array<double, 7>, 7> kBinomials = {
     {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}, {1, 5, 10, 10, 5, 1}, {1, 6, 15, 20, 15, 6, 1}}};
 
-/// Where p is to be searched; its signs at the ends are proved.
+/// An interval where p is to be searched; its signs at the ends are proved.
 struct FilteredInterval {
   DoubleBracket ends;
   int low_sign = 0, high_sign = 0;

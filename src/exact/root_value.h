@@ -24,14 +24,14 @@ class RootPoint {
   explicit RootPoint(const AlgebraicRoot& root);
   /// -1, 0 or 1. Multiprecision intervals decide first; else 0 exactly when a common divisor has the root.
   int sign_of(const Terms& p) const;
-  /// Within 2^-52 of its size.
+  /// The value within 2^-52 of its size.
   double nearest(const Terms& p) const;
   /// p here, times 2^scale, and a bound of the value's error.
   struct Enclosure {
     BigInteger value, error;
     unsigned long scale = 0;
   };
-  /// By a bracket at most 2^-bits wide.
+  /// The value enclosed by a bracket at most 2^-bits wide.
   Enclosure enclose(const Terms& p, unsigned bits) const;
 
  private:

@@ -13,8 +13,8 @@ namespace dymsum::exact {
 /// besides, sums and differences never lose by it.
 inline constexpr double kRoundoff = 0x1p-53;
 
-/// At least n u / (1 - n u): a product of n factors 1 + d or 1 / (1 + d), |d| <= u, differs from 1 by no more (Higham,
-/// Accuracy and Stability of Numerical Algorithms, lemma 3.1). Requires 0 < n <= 2^20.
+/// A bound that is at least n u / (1 - n u): a product of n factors 1 + d or 1 / (1 + d), |d| <= u, differs from 1 by
+/// no more (Higham, Accuracy and Stability of Numerical Algorithms, lemma 3.1). Requires 0 < n <= 2^20.
 // With e = n u <= 2^-33: 4 e is a double and so is 1 + 4 e, as 4 u = 2^-51; the product loses u at most, and (1 + 4 e)
 // (1 - u) >= 1 + 3 e - u - 4 e u >= 1 + e + 2 e^2 >= 1 / (1 - e).
 constexpr double gamma(int n) {
@@ -51,8 +51,8 @@ static_assert(gamma(1 << 12) * (1 + gamma(1)) < kOutwards - 1 && gamma(1 << 12) 
 
 /// Roundoff of floats.
 inline constexpr double kFloatRoundoff = 0x1p-24;
-/// For a bound that is kept as a float: converted and multiplied by this, it is not below the double. Requires at least
-/// 2^-100.
+/// The factor for a bound that is kept as a float: converted and multiplied by this, it is not below the double.
+/// Requires at least 2^-100.
 inline constexpr float kFloatOutwards = 1 + 0x1p-20f;
 static_assert((1 - kFloatRoundoff) * (1 - kFloatRoundoff) * kFloatOutwards > 1);
 

@@ -1,4 +1,4 @@
-// Which integers have square roots that are rational multiples of each other, or of products of each other.
+// Classes of integers whose square roots are rational multiples of each other, or of products of each other.
 #pragma once
 
 #include <cstdint>

@@ -88,7 +88,7 @@ class WideInterval {
   }
   bool is_zero() const { return radius_ == 0 && midpoint_ == Midpoint{}; }
   static Midpoint magnitude(const Midpoint& m) { return m.negative() ? limbs_sub(Midpoint{}, m) : m; }
-  /// Of one that is not negative.
+  /// The value of a midpoint that is not negative.
   static double value(const Midpoint& m) {
     return static_cast<double>(m.w[4]) + static_cast<double>(m.w[3]) * 0x1p-64 +
            static_cast<double>(m.w[2]) * 0x1p-128 + static_cast<double>(m.w[1]) * 0x1p-192 +

@@ -21,7 +21,7 @@ class Assembly {
   }
 
  private:
-  /// Of a piece and its mate, the one whose site describes the discs.
+  /// Whether a piece, not its mate, is the one whose site describes the discs.
   bool owns(std::uint32_t i) const {
     const CellPiece& p = pieces_[i];
     if (p.other == kNoIndex) return false;

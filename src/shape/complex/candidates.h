@@ -9,7 +9,7 @@
 
 namespace dymsum::shape {
 
-/// Per site: others, ascending.
+/// The other sites for each one, ascending.
 using Candidates = std::vector<std::vector<std::uint32_t>>;
 
 /// Neighbours in the Voronoi diagram of the sites with coordinates rounded to 30 bits; of their ends and midpoints

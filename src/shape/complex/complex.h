@@ -15,7 +15,7 @@
 
 namespace dymsum::shape {
 
-/// On which side of the boundary the discs lie.
+/// The side of the boundary on which the discs lie.
 enum class Side : std::uint8_t { outside, inside };
 
 inline constexpr std::uint32_t kNoIndex = 0xffffffff;
@@ -116,7 +116,7 @@ struct ExactDisc {
 };
 ExactDisc exact_disc(const Complex& complex, std::uint32_t node);
 
-/// Where a disc touches.
+/// The position at which a disc touches.
 struct Contact {
   std::uint32_t site = 0;
   Point at;  ///< each coordinate within some ulps of the larger one

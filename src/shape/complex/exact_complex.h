@@ -23,7 +23,7 @@ struct DiscSource {
   std::uint32_t point = 0;         ///< corner: the boundary point
 };
 
-/// In grid units if T is exact, in interval units if not; see Walks.
+/// A complex in grid units if T is exact, in interval units if not; see Walks.
 template <class T>
 struct DiscOf {
   T x, y, radius;

@@ -22,7 +22,7 @@ class OnEdge {
     forwards_ = left;
   }
 
-  /// In grid units. The radius grows along s if `forwards`, against it if not.
+  /// The centre in grid units. The radius grows along s if `forwards`, against it if not.
   ExactPoint centre(const RootExpression& r) const {
     if (!walks_.is_edge(s_)) return between_vertices(r);
     const auto f = formulas_.frame(s_);
@@ -45,7 +45,8 @@ class OnEdge {
     const RootExpression y(p.y), half = sqrt(y * (RootExpression(2) * scaled - y));
     return forwards_ ? RootExpression(p.x) + half : RootExpression(p.x) - half;
   }
-  /// From the midpoint perpendicularly to the vector from s to j: forwards, s on the left, is to its left.
+  /// The centre lies from the midpoint perpendicularly to the vector from s to j: forwards, s on the left, is to its
+  /// left.
   ExactPoint between_vertices(const RootExpression& r) const {
     const BoundaryPoint &p = walks_.points[walks_.ends[s_].a], &q = walks_.points[walks_.ends[j_].a];
     const auto d = formulas_.between(walks_.ends[s_].a, walks_.ends[j_].a);

@@ -152,7 +152,7 @@ class GraphBuilder {
     }
   }
 
-  /// From the way in, the next way out counter-clockwise: between them lies free space.
+  /// Links each half-edge in to the next one out, counter-clockwise: between them lies free space.
   void link() {
     std::vector<std::uint32_t> first(graph_.points.size() + 1, 0), out(graph_.edges.size());
     for (const HalfEdge& e : graph_.edges) ++first[e.from + 1];

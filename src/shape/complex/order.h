@@ -29,7 +29,7 @@ class Order {
 
   /// The sign of a - b.
   int compare(const Section& s, const Mark& a, const Mark& b);
-  /// Of the difference that Formulas::difference names; `near` contains it.
+  /// The signs of the difference that Formulas::difference names; `near` contains it.
   QuadraticSigns signs(const Section& s, std::uint32_t i, std::uint32_t j, const Quadratic<Interval>& near);
   /// Whether the disc that touches edge j at an end lies exactly opposite the section's axis.
   bool is_opposite(const Section& s, std::uint32_t j, int end);
@@ -54,7 +54,7 @@ class Order {
     return exact::sign_of(form(exact_));
   }
 
-  /// With `near` filled in.
+  /// The mark with `near` filled in.
   Mark mark(const Section& s, Mark m) const {
     if (!m.is_infinite()) m.near = near_.value(s, m);
     return m;

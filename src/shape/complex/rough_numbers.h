@@ -13,8 +13,8 @@ namespace dymsum::shape::rough {
 /// Coordinates have so many bits that nothing overflows: Boost.Polygon multiplies some forty of them.
 inline constexpr int kBits = 22;
 
-/// In place of a large integer: a pair of doubles, and how far it may be from the integer. A sum of no more than that
-/// is taken for 0, as it is wherever discs of symmetric shapes touch four sites.
+/// What stands for a large integer: a pair of doubles, and how far it may be from the integer. A sum of no more than
+/// that is taken for 0, as it is wherever discs of symmetric shapes touch four sites.
 class Integer {
  public:
   Integer() = default;
@@ -45,7 +45,7 @@ inline bool is_pos(const Integer& a) { return a.d() > 0; }
 inline bool is_neg(const Integer& a) { return a.d() < 0; }
 inline bool is_zero(const Integer& a) { return a.d() == 0; }
 
-/// In place of a double with a large exponent.
+/// What stands for a double with a large exponent.
 struct Real {
   double v = 0;
   Real() = default;

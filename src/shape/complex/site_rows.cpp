@@ -17,10 +17,10 @@ struct SiteRows::Ends {
 
 namespace {
 
-/// Of the work of a complex: rows begin and end about there.
+/// The fractions of a complex's work: rows begin and end about there.
 constexpr double kFirstFraction = 0.4, kLastFraction = 0.8;
 
-/// Of the disc that touches site j: its radius at a position of an edge, 1 / radius at a vertex.
+/// The size of the disc that touches site j: its radius at a position of an edge, 1 / radius at a vertex.
 template <class T>
 T size_at(const Formulas<T>& formulas, const Section& s, const Mark& at, std::uint32_t j) {
   if (j == kNoIndex) return T(0);
@@ -58,7 +58,7 @@ bool SiteRows::close(Guess guess, const Poll& poll) {
   return true;
 }
 
-/// In batches: between them it is asked whether to go on.
+/// Makes rows in batches: between them the caller is queried whether to go on.
 void SiteRows::make_rows(const std::vector<std::uint32_t>& sites, const Poll& poll) {
   constexpr std::size_t kSitesPerBatch = 16384;
   for (std::size_t i = 0; i < sites.size(); i += kSitesPerBatch) {

@@ -22,7 +22,7 @@ class SiteRows {
   bool close(Guess guess, const Poll& poll);
 
   const std::vector<Section>& sections() const { return sections_; }
-  /// Per section.
+  /// The rows of each section.
   const std::vector<std::vector<Piece>>& rows() const { return rows_; }
   /// The unbounded cells go once round (outside), or there are none (inside). Exact.
   bool closes_at_infinity();

@@ -61,7 +61,7 @@ class LoopSites {
   const HalfEdge& edge(std::size_t i) const { return graph_.edges[loop_[i % loop_.size()]]; }
   Point at(std::uint32_t point) const { return walks_.points[point].input; }
 
-  /// At the start of edge i.
+  /// The turn at the start of edge i.
   Turn turn(std::size_t i) const {
     const HalfEdge& in = edge(i + loop_.size() - 1);
     const HalfEdge& out = edge(i);

@@ -85,7 +85,8 @@ void CutLinks::add(std::uint32_t from, std::vector<Stop> over, const End& end) {
   ring_of_.push_back(from);
 }
 
-/// Between rings, each the first of its block, and meets. What begins and ends at one block separates provably.
+/// The links between rings, each the first of its block, and meets. What begins and ends at one block separates
+/// provably.
 std::vector<CutLinks::Link> CutLinks::links() {
   const auto block = [&](std::uint32_t node) { return node < table_.ring_count() ? blocks_.root(node) : node; };
   std::vector<Link> links;

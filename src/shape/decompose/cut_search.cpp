@@ -109,8 +109,8 @@ class CutSearch {
     return wall.kind == Cut::End::cut || (stands_[wall.ring] && wall.index != v && table_.next[wall.index] != v);
   }
 
-  /// For ends equally far: first those at a vertex whose own notch the cut resolves, too, then others on the boundary,
-  /// by the ranks of what they lie on, then those on cuts.
+  /// The order of ends equally far: first those at a vertex whose own notch the cut resolves, too, then others on the
+  /// boundary, by the ranks of what they lie on, then those on cuts.
   using Tie = std::tuple<int, std::uint32_t, std::uint32_t>;
   Tie tie_of(const Candidate& candidate) const {
     const Wall& wall = walls_[candidate.wall];

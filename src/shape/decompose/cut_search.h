@@ -12,7 +12,7 @@
 
 namespace dymsum::shape {
 
-/// Where a cut passes the boundary of a hole.
+/// A position at which a cut passes the boundary of a hole.
 struct Passage {
   bool at_vertex;
   std::uint32_t index;  ///< of the vertex or edge

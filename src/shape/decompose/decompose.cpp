@@ -96,7 +96,7 @@ RegionData rounded_data(const Piece& piece) {
   return {{std::move(part)}, {}, {}};
 }
 
-/// Of a piece that is no valid region when it is rounded: `part` is its index.
+/// The error of a piece that is no valid region when it is rounded: `part` is its index.
 Error changed_by_rounding(const Error& error, std::size_t piece) {
   Evidence evidence = error.evidence;
   evidence.part = std::int64_t(piece);

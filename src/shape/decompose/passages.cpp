@@ -20,7 +20,7 @@ bool enters_at(const RingTable& table, std::uint32_t v, const Wall& cut) {
                                                     : left_of_next || right_of_previous;
 }
 
-/// Where the first end of an edge lies on the cut.
+/// The passage at the first end of an edge, where that lies on the cut.
 std::optional<Passage> at_vertex(const RingTable& table, const Wall& edge, const Wall& cut) {
   if (side_of(cut, edge.a) != 0) return std::nullopt;
   const RationalPoint from = cut.from(), to = cut.end(), at = edge.from();
@@ -30,7 +30,7 @@ std::optional<Passage> at_vertex(const RingTable& table, const Wall& edge, const
   return Passage{true, edge.index, Rational(0), t, at, enters_at(table, edge.index, cut)};
 }
 
-/// Where the cut crosses an edge between its ends.
+/// The passage where the cut crosses an edge between its ends.
 std::optional<Passage> inside_edge(const Wall& edge, const Wall& cut) {
   if (side_of(cut, edge.a) * side_of(cut, edge.b) >= 0) return std::nullopt;
   const int side = side_of_end(edge.a, edge.b, cut);

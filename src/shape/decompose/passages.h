@@ -1,4 +1,4 @@
-// Where a cut passes over holes that it ignores.
+// The passages of a cut over holes that it ignores.
 #pragma once
 
 #include <vector>

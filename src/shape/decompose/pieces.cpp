@@ -85,7 +85,7 @@ class PieceMaker {
     const int x = compare_x(spots_[p], spots_[q]);
     return x != 0 ? x : compare_y(spots_[p], spots_[q]);
   }
-  /// By their points, which are in lexicographic order.
+  /// The order of loops by their points, which are in lexicographic order.
   bool before(const Loop& a, const Loop& b) const {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
                                         [this](std::uint32_t p, std::uint32_t q) { return compare(p, q) < 0; });

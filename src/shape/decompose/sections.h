@@ -16,7 +16,7 @@ struct Spot {
   exact::Interval x, y;
 };
 
-/// Of an edge or of a cut inside the region, between neighbouring points.
+/// A section of an edge or of a cut inside the region, between neighbouring points.
 struct WallSection {
   std::uint32_t from, to;  ///< points, in the direction of the wall
   std::uint32_t wall;      ///< edges, then cuts

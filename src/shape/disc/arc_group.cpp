@@ -90,8 +90,8 @@ class ArcGroup {
     if (last == nullptr || !last->at_stop) add(index, last == nullptr ? kNoIndex : last->by, kNoIndex);
   }
 
-  /// Of an arc of disc i by disc j. Discs touch each other at no contact: both would touch a vertex there, from two
-  /// sides, and the region has an angle at it.
+  /// The cover of an arc of disc i by disc j. Discs touch each other at no contact: both would touch a vertex there,
+  /// from two sides, and the region has an angle at it.
   std::optional<Cover> cover_of(const CornerArc& arc, std::uint32_t i, std::uint32_t j, const LazyVector& start,
                                 const LazyVector& stop) const {
     if (are_touching(i, j)) {
@@ -140,8 +140,8 @@ class ArcGroup {
     }
   }
 
-  /// Which fragment goes on where one enters another disc: that which leaves the first one's disc there. Where more
-  /// than two circles meet at the position, it may be one of another disc that begins there.
+  /// Finds the fragment that goes on where one enters another disc: that which leaves the first one's disc there. Where
+  /// more than two circles meet at the position, it may be one of another disc that begins there.
   void link() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> leaving;  // (disc, the one it leaves) -> fragment
     const auto count = static_cast<std::uint32_t>(arcs_.fragments.size());

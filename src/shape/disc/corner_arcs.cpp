@@ -88,7 +88,8 @@ class CornerArcs {
     made_.arcs.push_back({disc, s.edge, before(spoke), after(spoke), start, stop});
   }
 
-  /// Between two edges that rise from the node; none where they follow each other and touch one position.
+  /// Appends the arc between two edges that rise from the node; none where they follow each other and touch one
+  /// position.
   void append_at_node(std::uint32_t disc, std::uint32_t in, std::uint32_t out) {
     const std::uint32_t node = made_.discs[disc].index;
     for (std::uint32_t spoke = clockwise(node, spoke_of(node, in)); complex().spokes[spoke].edge != out;

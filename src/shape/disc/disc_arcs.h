@@ -57,7 +57,8 @@ void join(ArcSet& arcs, std::uint32_t fragment);
 /// The fragment into which this one was taken, or itself.
 std::uint32_t joined_into(const ArcSet& arcs, std::uint32_t fragment);
 
-/// From the centre of a disc to where the circle of another one is entered, going clockwise (`entered`), or left.
+/// The vector from the centre of a disc to where the circle of another one is entered, going clockwise (`entered`), or
+/// left.
 Point towards_crossing(const DiscPositions& positions, const CornerDisc& disc, const CornerDisc& other, bool entered);
 /// The same where they touch: the midpoint between the centres.
 Point towards_touch(const DiscPositions& positions, const CornerDisc& disc, const CornerDisc& other);

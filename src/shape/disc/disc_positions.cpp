@@ -19,7 +19,7 @@ CornerDisc DiscPositions::disc_on(std::uint32_t edge) const {
 
 Point DiscPositions::centre(const CornerDisc& disc) const {
   if (disc.at_node) return complex_.nodes[disc.index].centre;
-  // From a position of the region: coordinates far from the origin cost the vector no digits.
+  // The vector is from a position of the region: coordinates far from the origin cost the vector no digits.
   const Point anchor = complex_.sites[complex_.edges[disc.index].left].a;
   const Point v =
       near_vector([&](const auto& r) { return centre_on_edge(complex_, disc.index, r, anchor); }, level_, reach_);

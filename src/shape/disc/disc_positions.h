@@ -25,12 +25,12 @@ class DiscPositions {
   CornerDisc disc_on(std::uint32_t edge) const;
   /// Its centre, within 2^-42 of the reach.
   Point centre(const CornerDisc& disc) const;
-  /// From a vertex that it touches, within 2^-43 of the radius.
+  /// The vector to the centre from a vertex that the disc touches, within 2^-43 of the radius.
   Point centre_from(const CornerDisc& disc, Point vertex) const;
   Vector<exact::RootExpression> exact_centre_from(const CornerDisc& disc, Point origin) const;
   /// The unit normal of an edge site towards its discs.
   Point normal(const Site& site) const;
-  /// From a disc's centre to where it touches a site, of length radius; and that place.
+  /// The vector from a disc's centre to where it touches a site, of length radius; and that position.
   Point towards(const CornerDisc& disc, const Site& site) const;
   Point contact(const CornerDisc& disc, const Site& site) const;
 

@@ -1,4 +1,4 @@
-// From rings of pieces to sets.
+// Makes sets of rings of pieces.
 #pragma once
 
 #include "dymsum/growing_disc.h"

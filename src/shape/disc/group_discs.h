@@ -34,11 +34,11 @@ class GroupDiscs {
   /// Whether disc j touches this vertex.
   bool touches(std::uint32_t j, const std::optional<Point>& vertex) const;
   LazyVector centre(std::uint32_t i) const { return centres_[i]; }
-  /// To the centre of j.
+  /// The vector to the centre of j.
   LazyVector difference(std::uint32_t i, std::uint32_t j) const;
-  /// To where the circle of j is crossed, clockwise of its centre or counter-clockwise.
+  /// The vector to where the circle of j is crossed, clockwise of its centre or counter-clockwise.
   LazyVector towards_circle(std::uint32_t i, std::uint32_t j, bool clockwise) const;
-  /// To where disc i touches a site, at `vertex` if that is none of an edge.
+  /// The vector to where disc i touches a site, at `vertex` if that is none of an edge.
   LazyVector towards_contact(std::uint32_t i, std::uint32_t site, const std::optional<Point>& vertex) const;
 
  private:

@@ -125,7 +125,7 @@ class PassCount {
            !shares_loop(heading.site + 1) && !shares_loop(heading.site - 1);
   }
 
-  /// Of two directions in one half plane: whether it takes more than half a turn counter-clockwise, past the fixed
+  /// Whether, of two directions in one half plane, it takes more than half a turn counter-clockwise, past the fixed
   /// direction, or a whole one.
   bool is_long_way(const Heading& from, const Heading& to) const {
     if (const auto side = sign_of(cross(near_.of(from), near_.of(to)))) return *side <= 0;

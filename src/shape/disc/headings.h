@@ -25,7 +25,7 @@ struct Heading {
   friend bool operator==(const Heading&, const Heading&) = default;
 };
 
-/// Of the pieces of a ring: at the start of each and at its end. A whole circle has none.
+/// The headings of the pieces of a ring, at the start of each and at its end. A whole circle has none.
 using Headings = std::vector<std::array<Heading, 2>>;
 
 /// How arcs bend. The corners of such a ring turn the other way, by half a turn at most.

@@ -16,8 +16,8 @@ Vector<T> plus(const Vector<T>& a, const Vector<T>& b) {
   return {a.x + b.x, a.y + b.y};
 }
 
-/// Where a circle of radius r is crossed by that about `d`, clockwise of d or counter-clockwise; where they touch, in
-/// case |d| = 2 r. Requires |d| <= 2 r.
+/// The position at which a circle of radius r is crossed by that about `d`, clockwise of d or counter-clockwise; where
+/// they touch, in case |d| = 2 r. Requires |d| <= 2 r.
 template <class T>
 Vector<T> crossing(const Vector<T>& d, const T& r, bool clockwise) {
   const T half = T(0.5);

@@ -14,9 +14,9 @@ namespace dymsum {
 
 namespace {
 
-// Of a term: its products and sums, the sine and the sum over all terms, which err by a few units each.
+// The error of a term: its products and sums, the sine and the sum over all terms, which err by a few units each.
 constexpr double kTermError = 0x1p-45;
-// Of the angle an arc covers, its roundings. Besides, each of its ends may be at_error off.
+// The error of the angle that an arc covers: its roundings. Besides, each of its ends may be at_error off.
 constexpr double kAngleError = 0x1p-41;
 
 template <class Use>
@@ -82,7 +82,7 @@ ScaledArea scaled_area(const DiscSet& set) {
   const double r = scaled(set.radius), moved = 2 * scaled(set.at_error);
   const double arc_error = kAngleError * r * r + 2 * moved * r;
   for_each_ring(set, [&](const DiscRing& ring) {
-    // From the ring's own corner: far from the origin products would lose digits.
+    // Positions are taken from the ring's own corner: far from the origin products would lose digits.
     const Point origin = ring.pieces.front().from.at;
     for (std::size_t i = 0; i < ring.pieces.size(); ++i) {
       const DiscPiece& piece = ring.pieces[i];

@@ -31,7 +31,7 @@ class ExactCorners {
   }
 
  private:
-  /// Where corner.disc is entered by those who leave corner.other, clockwise, or touched.
+  /// The position at which corner.disc is entered from corner.other, clockwise, or touched.
   Vector<RootExpression> crossing_at(const DiscCorner& corner) const {
     const auto c = positions_.exact_centre_from(corner.disc, origin_),
                d = positions_.exact_centre_from(corner.other, origin_);

@@ -1,4 +1,4 @@
-// Which hole lies in which part, where what the rings touch does not decide.
+// The parts in which holes lie, where what the rings touch does not decide.
 #pragma once
 
 #include "shape/disc/disc_positions.h"

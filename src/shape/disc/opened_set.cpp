@@ -166,7 +166,7 @@ class DiscBoundaries {
   }
 
   enum class How : std::uint8_t { entered, left, touched };
-  /// At an end of a fragment: of its arc, at a contact, or where another disc is met.
+  /// The heading at an end of a fragment: of its arc, at a contact, or where another disc is met.
   Heading heading_at(const CornerArc& arc, std::uint32_t site, std::uint32_t other, How how) const {
     const CornerDisc& disc = arcs_.discs[arc.disc];
     if (other == kNoIndex) return heading_at_contact(positions_, disc, site);

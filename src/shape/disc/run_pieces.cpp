@@ -59,7 +59,7 @@ DiscCorner centre_corner(const DiscPositions& positions, std::uint32_t edge, con
   return corner;
 }
 
-/// Where a moved edge meets the arc about a vertex at one of its ends.
+/// The corner at which a moved edge meets the arc about a vertex at one of its ends.
 DiscCorner joint_corner(const DiscPositions& positions, const Site& vertex, const Site& edge) {
   const Point n = positions.normal(edge);
   const double r = positions.level().radius;
@@ -96,7 +96,7 @@ void append_edge(std::uint32_t site, DiscPiece piece, Pieces& pieces) {
   pieces.headings.push_back({Heading{Heading::Of::edge, site}, Heading{Heading::Of::edge, site}});
 }
 
-/// From the vertex to a corner of its arc.
+/// The vector from the vertex to a corner of its arc.
 Point arm(const DiscPositions& positions, const BoundaryOrder& order, std::uint32_t site, const DiscCorner& corner,
           int step) {
   const Point v = positions.complex().sites[site].a;
@@ -112,7 +112,8 @@ Point arm(const DiscPositions& positions, const BoundaryOrder& order, std::uint3
   return positions.normal(neighbour(positions, order, site, step));
 }
 
-/// Of an arc about a vertex, at a corner of it: that of the edge on the side of `step`, or about the vertex.
+/// The heading of an arc about a vertex, at a corner of it: that of the edge on the side of `step`, or about the
+/// vertex.
 Heading heading_at_corner(const DiscPositions& positions, const BoundaryOrder& order, std::uint32_t site,
                           const DiscCorner& corner, int step) {
   if (corner.kind == DiscCorner::Kind::centre) return {Heading::Of::vertex, site, corner.disc};

@@ -104,7 +104,7 @@ class ThinPieceFinder {
     }
   }
 
-  /// Of a piece along an edge.
+  /// The site of a piece along an edge.
   std::uint32_t edge_site(std::uint32_t h) const {
     return halves_[h].piece.of == DiscPiece::Of::edge ? halves_[h].headings[0].site : kNoIndex;
   }

@@ -139,7 +139,7 @@ class Frame {
     }
   }
 
-  /// By what is seen in it: equal frames are images of each other under a symmetry of the region.
+  /// The order by what is seen in a frame: equal frames are images of each other under a symmetry of the region.
   bool operator<(const Frame& other) const {
     for (std::size_t k = 0; k < order_.size(); ++k) {
       const std::uint32_t v = order_[k], w = other.order_[k];

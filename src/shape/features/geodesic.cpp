@@ -117,7 +117,7 @@ class Funnel {
   }
 
  private:
-  /// From the edge's far side to v; the vertex after kNoIndex, which is infinity, comes first.
+  /// The path from the edge's far side to v; the vertex after kNoIndex, which is infinity, comes first.
   std::vector<std::uint32_t> path(std::uint32_t v) const {
     std::vector<std::uint32_t> vertices;
     for (; v != kNoIndex; v = parent_[v]) vertices.push_back(v);
@@ -129,7 +129,7 @@ class Funnel {
     if (from == kNoIndex) return -dot_sign(polygon_[0], polygon_[1], polygon_[through], polygon_[p]);
     return turn_sign(polygon_[from], polygon_[through], polygon_[p]);
   }
-  /// Where the path to c leaves the funnel of two paths, left (of the door's first vertex) and right.
+  /// The vertex at which the path to c leaves the funnel of two paths, left (of the door's first vertex) and right.
   std::uint32_t tangent(const std::vector<std::uint32_t>& left, const std::vector<std::uint32_t>& right,
                         std::uint32_t c) const {
     std::size_t i = 0;

@@ -13,7 +13,7 @@ namespace dymsum::shape {
 /// the polygon touches itself from outside are allowed. Requires: counter-clockwise. Exact. O(n^2) signs at most.
 std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Position>& polygon);
 
-/// For every vertex of the chain the length of the shortest path from the bridge from - to that stays in the pocket,
+/// The length, for every vertex of the chain, of the shortest path from the bridge from - to that stays in the pocket,
 /// the polygon from, to, and the chain backwards; the pocket lies to the left of from -> to. Which way the paths go is
 /// decided exactly; their lengths are the nearest doubles.
 std::vector<double> distances_from_bridge(const Position& from, const std::vector<Position>& chain, const Position& to);

@@ -1,4 +1,4 @@
-// Where the tracks of a complex begin, meet or end, and what is queried the pockets behind them.
+// The nodes at which the tracks of a complex begin, meet or end, and what is queried the pockets behind them.
 #pragma once
 
 #include <array>
@@ -27,7 +27,8 @@ struct PocketMinimumAt {
   double concavity = 0;
 };
 
-/// Where the pocket of an edge's bridges lies, seen by a disc that grows along it: it has none between two loops.
+/// The side on which the pocket of an edge's bridges lies, seen by a disc that grows along it: it has none between two
+/// loops.
 enum class PocketAt : std::uint8_t { gap, behind, ahead };
 
 /// What tracks ask about the bridges at the upper ends of edges.

@@ -64,7 +64,7 @@ N length_of(const std::vector<const Position*>& path, const Position& a, const P
   return length;
 }
 
-/// As far as pairs of doubles decide; normal doubles alone.
+/// The nearest double as far as pairs of doubles decide; normal doubles alone.
 std::optional<double> nearest_normal(const FineInterval& length) {
   const std::optional<double> near = length.nearest();
   return near && *near >= std::numeric_limits<double>::min() ? near : std::nullopt;

@@ -9,7 +9,7 @@
 
 namespace dymsum::shape {
 
-/// In input coordinates; the whole line where they are too large or small for that.
+/// A point in input coordinates; the whole line where they are too large or small for that.
 struct FinePoint {
   exact::FineInterval x, y;
 };
@@ -34,7 +34,7 @@ double distance_left(const Position& a, const Position& b, const Position& p);
 /// pieces are added, nor on how the positions are turned by quarter turns or mirrored. Requires: a position.
 double way_length(const std::vector<const Position*>& path, const Position& a, const Position& b);
 
-/// Where the disc about a centre touches a site. The fine centre is that of the exact one, or the whole plane.
+/// A centre of a disc that touches sites. The fine centre is that of the exact one, or the whole plane.
 struct Centre {
   ExactPoint exact;
   FinePoint fine = {exact::FineInterval::whole(), exact::FineInterval::whole()};

@@ -1,4 +1,4 @@
-// From which diameter tracks count: what lets depth count besides age. See docs/design/shape-features.md.
+// The diameter from which tracks count: what lets depth count besides age. See docs/design/shape-features.md.
 #pragma once
 
 #include <cstdint>

@@ -142,7 +142,7 @@ class Sweep {
     }
   }
 
-  /// Of an edge, for ties: an edge begins where its bar is born.
+  /// The name of an edge, for ties: an edge begins where its bar is born.
   std::tuple<std::uint32_t, std::array<std::uint32_t, 4>> name(std::uint32_t edge) const {
     return {complex_.nodes[complex_.edges[edge].low].rank, pockets_.contacts(edge)};
   }

@@ -22,7 +22,7 @@ struct Chord {
   End from, to;
 };
 
-/// Where a facet's corners are, nearly.
+/// The nearest doubles of a facet's corners.
 using Corners = std::array<Vec3, 4>;
 
 Corners corners_of(const SumSpace& space, const TableFacet& f) {

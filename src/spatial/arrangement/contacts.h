@@ -1,4 +1,4 @@
-// Where two facets in different planes meet: a segment, or a point.
+// The segments and points in which two facets in different planes meet.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,7 @@ struct PlaneCut {
   PointSource from, to;
   bool from_inner = false, to_inner = false;  ///< as of a Contact
 };
-/// Where planes cut facets: intervals that are no points, of facets that do not lie in the plane. Exact.
+/// The cuts of planes through facets that do not lie in them: intervals that are no points. Exact.
 std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table, std::span<const PlaneId> planes);
 
 }  // namespace dymsum::spatial

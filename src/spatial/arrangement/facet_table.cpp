@@ -15,8 +15,8 @@ void share_planes(const SumSpace& space, PlaneId first, FacetTable& table, Stage
   std::vector<std::uint32_t> order(hash.size());
   std::iota(order.begin(), order.end(), 0u);
   watch.sort(order, [&](std::uint32_t a, std::uint32_t b) { return std::tie(hash[a], a) < std::tie(hash[b], b); });
-  // Of the planes with one hash, nearly always one; behind those with the hash 0, which may be any plane and come
-  // first.
+  // The leaders of the planes with one hash, nearly always one; they stand after those with the hash 0, which may be
+  // any plane and come first.
   std::vector<std::uint32_t> leaders;
   std::size_t wild = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {

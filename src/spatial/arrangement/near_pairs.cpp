@@ -156,7 +156,7 @@ class LeafTree {
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 
-/// In a tree of boxes, with leaves, nodes and entries.
+/// What a box takes in a tree of boxes, with leaves, nodes and entries.
 constexpr std::size_t kBytesPerBox = 128;
 
 /// The pairs of a leaf's boxes among themselves and with those of later leaves.

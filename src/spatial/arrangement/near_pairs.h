@@ -10,7 +10,7 @@
 
 namespace dymsum::spatial {
 
-/// Of box f with larger ones: others[begin[f]] to others[begin[f + 1]], ascending.
+/// Pairs of boxes, those of f with larger ones being others[begin[f]] to others[begin[f + 1]], ascending.
 struct NearPairs {
   std::vector<std::size_t> begin;
   std::vector<std::uint32_t> others;

@@ -218,7 +218,7 @@ void PlaneLines::cross_runs() {
   }
 }
 
-/// Of runs on different lines, or apart on one.
+/// Crosses two runs on different lines, or apart on one.
 void PlaneLines::cross(std::uint32_t i, std::uint32_t j) {
   const Run &s = runs_[i], &t = runs_[j];
   if (s.cut == t.cut) return;
@@ -357,7 +357,7 @@ void PlaneLines::cut_runs() {
 void PlaneLines::cut_run(std::uint32_t r, std::span<PointId> points) {
   const Run& run = runs_[r];
   const std::size_t n = points.size() - 1;
-  // Per piece: changes (in the run's direction), facet edges, and the sum of their ids.
+  // Each piece has its changes (in the run's direction), facet edges, and the sum of their ids.
   steps_.assign(n + 1, {0, 0, 0, 0});
   if (run.last - run.first > 1) {
     index_.clear();

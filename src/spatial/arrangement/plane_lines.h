@@ -16,8 +16,8 @@ namespace dymsum::spatial {
 struct PlaneSegment {
   PointId a = 0, b = 0;
   PlaneId cut = 0;  ///< a plane through it, across this one
-  /// For the edge of a facet: 1 where the facet lies to the left of the vector from a to b, seen against n, -1 to the
-  /// right; 0 for contacts.
+  /// The side of the facet whose edge it is: 1 where it lies to the left of the vector from a to b, seen against n, -1
+  /// to the right; 0 for contacts.
   std::int8_t inside = 0;
   std::int8_t side = 1;                   ///< of the facet: TableFacet::side
   EdgeId facet_edge = kNoId;              ///< of the facet, an edge of sums; none for contacts
@@ -27,7 +27,7 @@ struct PlaneSegment {
 /// Several edges of sums along one piece.
 inline constexpr EdgeId kManyEdges = kNoId - 1;
 
-/// Between neighbouring points a < b of a line.
+/// A piece between neighbouring points a < b of a line.
 struct LinePiece {
   PointId a = 0, b = 0;
   PlaneId cut = 0;

@@ -24,7 +24,7 @@ class PointTable {
   const std::vector<PointSource>& sources() const { return sources_; }
 
  private:
-  /// Of sources that are named but once.
+  /// Adds points whose sources are named but once.
   std::vector<PointId> add_named_once(std::span<const PointSource> sources, StageWatch& watch);
   void rehash(std::size_t slots);
 

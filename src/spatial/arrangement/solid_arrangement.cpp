@@ -95,7 +95,8 @@ class CutPlanes {
     bool along = false;  // whether the way is n x n_cut
     PlaneId cut = 0;
     if (other != kNoId) {
-      // With the facet to the left of the way w, and w = l (n x n_cut): it lies below the cut where l > 0.
+      // The facet is to the left of the edge vector w, and w = l (n x n_cut), so that it lies below the cut where l >
+      // 0.
       cut = table_.facets[other].plane;
       along = space_.side(cut, f.facet.corner[(k + 2) % f.facet.corners]) * f.side < 0;
     } else {
@@ -120,7 +121,7 @@ class CutPlanes {
         (first == kNoId ? first : second) = i;
       }
   }
-  /// Of a facet that nothing cuts another one in another plane at a facet edge; kNoId for none.
+  /// Another facet, in another plane, at a facet edge of a facet that nothing cuts; kNoId for none.
   std::uint32_t neighbour(std::uint32_t facet, int facet_edge) const {
     if (!uncut_[group_of_[facet]]) return kNoId;
     const auto [first, second] = facets_[table_.facets[facet].edge[facet_edge]];
@@ -181,7 +182,7 @@ void collect_edges(SolidArrangement& all, StageWatch& watch) {
   all.first_use.push_back(static_cast<std::uint32_t>(all.edge_uses.size()));
 }
 
-/// With what edges and points are listed in later.
+/// The memory of cells, with that of the lists of edges and points that are made later.
 std::size_t bytes_of(const PlaneCells& cells) {
   return sizeof(PlaneGroup) + cells.cells.size() * (sizeof(Cell) + 8) +
          cells.edges.size() * (sizeof(CellEdge) + 2 * sizeof(EdgeUse) + 12) + cells.half_edges.size() * 4 +

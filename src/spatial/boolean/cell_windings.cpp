@@ -77,7 +77,7 @@ int WindingNumber::at(const Flag& x) const {
       const std::uint32_t a = c[k], b = c[(k + 1) % 3];
       const PlaneSource upright{{a, 0}, {DirectionSource::Of::p, a, b}, {DirectionSource::Of::axis, 2, 0}, false};
       int s = query.side(upright, space_.p()[b] - space_.p()[a], {0, 0, 1});
-      // As if the position were moved by an infinitesimal along x, and a smaller one along y.
+      // The sign is that of the position moved by an infinitesimal along x, and a smaller one along y.
       for (int axis = 0; axis < 2 && s == 0; ++axis) s = space_.exact_normal(upright, axis);
       if (s == 0 || (k > 0 && s != turn)) return;
       turn = s;

@@ -16,7 +16,7 @@ namespace dymsum::spatial {
 /// How often closed surfaces of triangles go around a position.
 class WindingNumber {
  public:
-  /// Of triangles of the space's P, where its Q is one vertex. Keeps the references.
+  /// Winding numbers of triangles of the space's P, where its Q is one vertex. Keeps the references.
   WindingNumber(const SumSpace& space, const std::vector<Triangle>& triangles);
 
   /// The triangles above a position that is on none of them: those seen from below their backs less those seen from

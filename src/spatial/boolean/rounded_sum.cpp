@@ -16,7 +16,7 @@ namespace dymsum {
 
 namespace {
 
-/// Of two numbers of which these are the nearest doubles, rounded up.
+/// The largest difference of two numbers whose nearest doubles these are, rounded up.
 double largest_difference(double a, double b) {
   const auto ulp = [](double v) { return std::nextafter(std::abs(v), HUGE_VAL) - std::abs(v); };
   return std::nextafter(std::abs(a - b) + (ulp(a) + ulp(b)) / 2, HUGE_VAL);
@@ -80,8 +80,8 @@ Result<SpatialSum::Rounded> SpatialSum::rounded(Precision precision, double tole
   if (tolerance == 0) tolerance = single ? 0x1p-20 : 0x1p-40;
   Result<Rounded> separated = spatial::separated_surface(at_first, precision, tolerance, untangled);
   if (separated && separated->nearest) return separated;
-  // Where surfaces lie on each other but for rounding, as those of an opening and of what was opened, merging alone
-  // does not end: then once more, from the solid that the rounded surface goes around.
+  // Rounds of merging. Alone it does not end where surfaces lie on each other but for rounding, as those of an opening
+  // and of what was opened: then it is done once more, from the solid that the rounded surface goes around.
   constexpr int kRounds = 4;
   Rounded surface = at_first;
   double moved = 0;

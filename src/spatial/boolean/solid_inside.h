@@ -1,4 +1,4 @@
-// From surfaces to the solid of all positions whose winding number is one of those requested.
+// Makes, of surfaces, the solid of all positions whose winding number is one of those requested.
 #pragma once
 
 #include "dymsum/mesh.h"
@@ -7,8 +7,8 @@
 
 namespace dymsum::spatial {
 
-/// Inside are winding numbers of at least `least`, or at most -`least` where `both` ways count; of these, odd ones
-/// where `odd` alone count.
+/// The winding numbers that are inside: those of at least `least`, or at most -`least` where `both` ways count; of
+/// these, odd ones where `odd` alone count.
 struct InsideRule {
   int least = 1;
   bool both = false, odd = false;

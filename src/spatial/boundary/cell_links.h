@@ -1,4 +1,4 @@
-// Which cells of the arrangement bound the sum: around every edge the cells' sides that look into one wedge of space
+// The cells of the arrangement that bound the sum: around every edge the cells' sides that look into one wedge of space
 // belong together.
 #pragma once
 

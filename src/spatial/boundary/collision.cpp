@@ -46,8 +46,8 @@ struct Chord {
   End from, to;
 };
 
-/// From the heights' signs of the corners, which run counter-clockwise about n, in the direction n x (the other plane's
-/// normal).
+/// The chord, from the signs of the heights of the corners, which run counter-clockwise about n, in the direction n x
+/// (the other plane's normal).
 std::optional<Chord> chord(const int (&s)[3]) {
   const bool above = s[0] > 0 || s[1] > 0 || s[2] > 0, below = s[0] < 0 || s[1] < 0 || s[2] < 0;
   const bool on = s[0] == 0 || s[1] == 0 || s[2] == 0;

@@ -37,7 +37,7 @@ struct FlagQuery {
   }
   static bool is_fraction(double v) { return v != std::floor(v); }
 
-  /// Where x is.
+  /// A box that x lies in.
   Box box() const {
     Box box;
     box.add(at.at);
@@ -68,7 +68,7 @@ struct FlagQuery {
   }
 };
 
-/// Where P and x - Q touch.
+/// A position at which P and x - Q touch, and the features that do.
 struct Collision::Touch {
   Feature p, q;
   friend auto operator<=>(const Touch&, const Touch&) = default;

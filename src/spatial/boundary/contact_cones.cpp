@@ -70,7 +70,7 @@ class Cone {
     return holds_at_vertex(d);
   }
 
-  /// Of the sector's outward normal times d.
+  /// The sign of the sector's outward normal times d.
   int side(const Sector& s, Ray d) const { return s.sign * d.sign * space_.det(s.u, s.v, d.direction); }
 
  private:
@@ -290,14 +290,14 @@ class Overlap {
     });
   }
 
-  /// Of the turn around r from one half-plane to another: r . (n x m), as for walls at an edge.
+  /// The sign of the turn around r from one half-plane to another: r . (n x m), as for walls at an edge.
   int turn(Ray r, const ConeWall& x, const ConeWall& y) const {
     const Sector &s = *x.sector, &t = *y.sector;
     return (x.left ? 1 : -1) * (y.left ? 1 : -1) * s.sign * t.sign * r.sign *
            space_.exact_turn(r.direction, s.u, s.v, t.u, t.v);
   }
-  /// For two halves of one plane: with equal normals both to the left or both to the right, with opposite ones the
-  /// other way.
+  /// Whether two halves of one plane have the inside on one side: with equal normals both to the left or both to the
+  /// right, with opposite ones the other way.
   bool same_side(const ConeWall& x, const ConeWall& y) const {
     const Sector &s = *x.sector, &t = *y.sector;
     const bool equal = s.sign * t.sign * space_.exact_dot(s.u, s.v, t.u, t.v) > 0;

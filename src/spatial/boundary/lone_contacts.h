@@ -1,4 +1,4 @@
-// Where two solids touch in single points: no edge of one is parallel to a face of the other there.
+// Contacts of two solids in single points: no edge of one is parallel to a face of the other there.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ class LoneContacts {
   bool edge(EdgeId edge);
   /// The same of two vertices.
   bool corner(SumPoint corner);
-  /// Inside a facet the features that it is made from touch nowhere else near.
+  /// Whether a facet's contacts are lone ones: inside it the features that it is made from touch nowhere else near.
   bool facet(std::uint32_t facet);
   /// An edge of sums is not parallel to a plane.
   bool crosses(EdgeId edge, PlaneId plane) const;

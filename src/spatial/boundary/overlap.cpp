@@ -181,15 +181,15 @@ bool Collision::pierced(const Query& query, std::uint32_t i, std::uint32_t j, co
   return false;
 }
 
-/// Where two triangles touch: corners of one on the other, and edges on edges.
+/// Adds the contacts of two triangles: corners of one on the other, and edges on edges.
 void Collision::add_touches(const Query& query, std::uint32_t i, std::uint32_t j, const Heights& h,
                             std::vector<Touch>& touches) const {
   touch_vertices(query, i, j, h, touches);
   touch_edges(query, i, j, h, touches);
 }
 
-/// Where a vertex of the other operand lies on a triangle, in whose plane it is: seen along an axis across that plane,
-/// on which sides of its facet edges?
+/// The feature of a triangle on which a vertex of the other operand lies, which is in its plane, by the sides of its
+/// edges on which the vertex is, seen along an axis across that plane.
 std::optional<Feature> Collision::position(const Query& query, DirectionSource::Of of, std::uint32_t t,
                                            std::uint32_t v) const {
   const SolidOperand& solid = of == DirectionSource::Of::p ? p_ : q_;

@@ -151,7 +151,7 @@ bool Collision::inside_segment(const Query& query, DirectionSource::Of of, std::
     return DirectionSource{DirectionSource::Of::axis, static_cast<std::uint32_t>(axis), 0};
   };
   for (int axis = 0; axis < 3; ++axis) {
-    // Beside the line, seen along the axis; nothing is where the line runs along it.
+    // The side of the line, seen along the axis; nothing is where the line runs along it.
     const bool beside = axis_across(space_, line, axis_direction(axis)) >= 0;
     if (beside && query.side({sum(w.from), line, axis_direction(axis), false}, along, axis_vector(axis)) != 0)
       return false;

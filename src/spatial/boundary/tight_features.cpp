@@ -154,7 +154,7 @@ class Tight {
     if (one_facet_edge(e) && one_sided(group, e)) trace.end = Trace::End::facet_edge;
     return trace;
   }
-  /// Of the edges of one group at a point.
+  /// The trace of the edges of one group at a point.
   Trace point_trace(PointId at, std::span<const EdgeUse> ends) const {
     const PlaneGroup& group = arrangement_.groups[ends[0].group];
     const PointSource& source = arrangement_.points.source(at);
@@ -261,7 +261,7 @@ class Tight {
       if (free[i]) touched_[touches[begin[i]].at] = true;
   }
 
-  /// Of the points that nothing outside is known to touch: all edges at each.
+  /// Looks at the points that nothing outside is known to touch, with all edges at each.
   void look_at_points() {
     std::vector<std::uint32_t> begin(arrangement_.points.size() + 1, 0);
     const auto for_each = [&](auto f) {

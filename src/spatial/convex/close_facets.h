@@ -1,4 +1,4 @@
-// Which facets of a sum have to be looked at exactly.
+// The facets of a sum that have to be looked at exactly.
 #pragma once
 
 #include <array>

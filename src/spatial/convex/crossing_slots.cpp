@@ -34,7 +34,7 @@ void CrossingSlots::keep(const Overlay& overlay) {
     ++was;
   }
   for (; was != before_.end(); ++was) vacant_.push_back(was->at);
-  // In order, so that most keep theirs.
+  // Vacant indices are taken in order, so that most crossings keep theirs.
   std::sort(vacant_.begin(), vacant_.end());
   std::sort(now_.begin(), now_.begin() + static_cast<std::ptrdiff_t>(others),
             [](const Moved& a, const Moved& b) { return a.at < b.at; });

@@ -12,7 +12,7 @@ namespace dymsum::spatial {
 /// A slot for each index of a crossing, free or not. A crossing of the same two edges keeps its slot.
 class CrossingSlots {
  public:
-  /// Of the two edges that cross; none of both where an index is free.
+  /// The two edges that cross; none where an index is free.
   struct Edges {
     std::uint32_t p = kNoCrossing, q = kNoCrossing;
     std::uint64_t key() const { return std::uint64_t{p} << 32 | q / 2; }

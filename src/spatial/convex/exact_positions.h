@@ -19,7 +19,7 @@ namespace spatial {
 
 /// The vertices of the operands of a convex sum as they were given.
 struct ConvexOperands {
-  /// Of a mesh its doubles, of a sum `exact`, multiples of 2^exponent.
+  /// The positions of an operand: doubles of a mesh, or `exact` ones of a sum, multiples of 2^exponent.
   struct Operand {
     std::vector<Point3> vertices;
     std::vector<exact::Vector3<exact::Big>> exact;

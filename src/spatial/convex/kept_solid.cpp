@@ -97,7 +97,7 @@ void KeptSolid::follow_crossings(const Overlay& overlay) {
   }
 }
 
-/// To corners_. `same`: made by the same faces or edges as before.
+/// Writes a facet to corners_. `same`: it is made by the same faces or edges as before.
 void KeptSolid::change(std::uint32_t facet, const FacetFeatures& features, bool same) {
   if (same && is_as_before(facet)) return;
   ConvexSolid::Facet& f = solid_.facets[facet];
@@ -117,7 +117,7 @@ void KeptSolid::change(std::uint32_t facet, const FacetFeatures& features, bool 
   note(facet, same, {before, now, kept});
 }
 
-/// At an index that was free.
+/// Adds a vertex at an index that was free.
 void KeptSolid::add_vertex(std::uint32_t v) {
   if (v == solid_.vertices.size()) {
     solid_.vertices.emplace_back();

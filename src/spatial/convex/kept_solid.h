@@ -19,7 +19,7 @@ namespace dymsum::spatial {
 
 class KeptSolid {
  public:
-  /// Of nothing yet. `operands` has to outlive this.
+  /// Holds nothing yet. `operands` has to outlive this.
   KeptSolid(const Overlay& overlay, const ConvexOperands& operands);
 
   /// Makes it the solid of the overlay, which is that of the same operands, at these poses.

@@ -13,7 +13,7 @@ namespace dymsum::spatial {
 
 class KeptVertices {
  public:
-  /// By indices; kNoPair where one is free.
+  /// The pair of each index; kNoPair where one is free.
   std::span<const VertexPair> pairs() const { return pairs_; }
   /// The corners that a facet had go.
   void leave(std::span<const std::uint32_t> corners);

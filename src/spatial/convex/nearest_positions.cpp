@@ -13,14 +13,14 @@ namespace {
 
 using base::DoublePair;
 
-/// In units of u^2, of a coordinate: times the sizes of its terms. A matrix entry is a quotient, times a quotient (3
-/// operations on pairs). A term m x: what x is rounded to, the low part of m times x, m times what x has beyond a
-/// double, the product of those two, which is left out (1 each), their sum (2), added to the error of the product (3).
-/// The three terms: their errors (3 + 3), those of the two sums (2), both together (5). Adding two coordinates: their
-/// low parts (5), the error of the sum (6), the ends of the interval (7).
+/// The error of a coordinate in units of u^2, times the sizes of its terms. A matrix entry is a quotient, times a
+/// quotient (3 operations on pairs). A term m x: what x is rounded to, the low part of m times x, m times what x has
+/// beyond a double, the product of those two, which is left out (1 each), their sum (2), added to the error of the
+/// product (3). The three terms: their errors (3 + 3), those of the two sums (2), both together (5). Adding two
+/// coordinates: their low parts (5), the error of the sum (6), the ends of the interval (7).
 constexpr double kU = exact::kRoundoff;
 constexpr double kCounted = 3 * base::kPairError / (kU * kU) + 4 + 2 + 3 + 3 + 3 + 2 + 5 + 5 + 6 + 7;
-/// Beyond first order, and for the sizes, which are added up in doubles, once more as much.
+/// The bound is doubled for what is beyond first order, and for the sizes, which are added up in doubles.
 constexpr double kPositionError = 512 * kU * kU;
 static_assert(2 * kCounted <= 512);
 /// Coordinates of these sizes neither overflow nor lose error terms: factors are within 2^64 and 2^-64, entries of
@@ -89,7 +89,7 @@ TwoPair exact_sum(Two a, Two b) {
   return {s, (a - (s - t)) + (b - t)};
 }
 
-/// Of two vertices: one coordinate, posed.
+/// One posed coordinate of two vertices.
 struct TwoCoordinates {
   Two high, low, size;
 };
@@ -248,8 +248,8 @@ Point3 NearestPositions::in_doubt(VertexPair pair) {
   return {at[0], at[1], at[2]};
 }
 
-/// Where all parts are exact, and so are their sums but the last: then that rounds once. Half-way cases of solids that
-/// keep an axis are of this kind.
+/// The nearest double where all parts are exact, and so are their sums but the last, which then rounds once. Half-way
+/// cases of solids that keep an axis are of this kind.
 std::optional<double> NearestPositions::exact_in_doubles(VertexPair pair, std::size_t r) const {
   const Posed &a = operand_[0].posed[pair.p], &b = operand_[1].posed[pair.q];
   const DoublePair high = base::exact_sum(a.high[r], b.high[r]), low = base::exact_sum(a.low[r], b.low[r]);

@@ -16,7 +16,7 @@ namespace dymsum::spatial {
 
 class NearestPositions {
  public:
-  /// Of some vertices of each operand, by their indices in the operand. `source` has to outlive this.
+  /// Positions of some vertices of each operand, named by their indices in the operand. `source` has to outlive this.
   NearestPositions(const ConvexOperands& source, const std::array<std::span<const std::uint32_t>, 2>& vertices);
 
   /// O(vertices) for an operand whose pose is another one than before.
@@ -30,7 +30,7 @@ class NearestPositions {
   std::size_t bytes() const;
 
  private:
-  /// Of a posed vertex: within `error` of high + low. Three coordinates each, and a 0.
+  /// A posed vertex, within `error` of high + low. Three coordinates each, and a 0.
   struct alignas(32) Posed {
     std::array<double, 4> high, low, error;
   };

@@ -1,4 +1,4 @@
-// From pairs of vertices to the index of the sum's vertex: a hash table with open addressing.
+// The index of the sum's vertex for each pair of vertices: a hash table with open addressing.
 #pragma once
 
 #include <bit>

@@ -7,9 +7,9 @@
 namespace dymsum::spatial {
 namespace {
 
-/// Of n . (u x M w) for unit vectors, times the norm of the map: three unit vectors (8 roundings each), an entry (2),
-/// the products and the sums of a cross product (3) and of two vectors times a matrix (6); in all at most sqrt(2)
-/// Frobenius norms, which are at most sqrt(3) norms each.
+/// The error of n . (u x M w) for unit vectors, times the norm of the map: three unit vectors (8 roundings each), an
+/// entry (2), the products and the sums of a cross product (3) and of two vectors times a matrix (6); in all at most
+/// sqrt(2) Frobenius norms, which are at most sqrt(3) norms each.
 constexpr double kTurnError = exact::rounding_bound(3 * (3 * 8 + 2 + 3 + 6), 128);
 
 /// How an edge of P and an edge of Q lie to each other in the plane: the sign of their cross product along the normal,
@@ -52,9 +52,9 @@ class Edges {
   }
 
  private:
-  /// Where every term of the cross product has a factor zero, as for edges along an axis that both solids keep, and
-  /// doubles tell the dot product: its sign; 0 otherwise. Doubles that stand for numbers of the two narrow kinds are
-  /// zero only where those are.
+  /// The sign of the dot product where doubles determine it and every term of the cross product has a factor zero, as
+  /// for edges along an axis that both solids keep; 0 otherwise. Doubles that stand for numbers of the two narrow kinds
+  /// are zero only where those are.
   int plainly_parallel(HalfEdge u, HalfEdge w) const {
     constexpr int kNarrow = 61, kNarrowMap = 126;
     if (std::max(s_.poly(0).bits, s_.poly(1).bits) > kNarrow || s_.map().bits() > kNarrowMap) return 0;

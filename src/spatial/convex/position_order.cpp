@@ -36,7 +36,7 @@ class PositionOrder {
  private:
   using Apart = std::array<unsigned, 2>;
 
-  /// Along an axis, from the nearest doubles: rounding keeps the order.
+  /// The order along an axis, from the nearest doubles: rounding keeps the order.
   int order(std::uint32_t a, std::uint32_t b, std::size_t axis, double u, double v, const Apart& apart) {
     if (u != v) return u < v ? -1 : 1;
     // Nearly all ties are of this kind. Others may be ties as well.
@@ -120,7 +120,7 @@ std::vector<Point3> nearest_positions(const ConvexOperands& operands, const Soli
 std::vector<std::uint32_t> order_by_position(const ConvexOperands& operands, const SolidPose& p, const SolidPose& q,
                                              std::span<const ConvexSum::Vertex> vertices,
                                              std::span<const Point3> nearest) {
-  // By x first, side by side with the indices; then intervals of one x, most of one vertex.
+  // What sorts vertices by x first, side by side with the indices; then come intervals of one x, most of one vertex.
   struct Key {
     double x;
     std::uint32_t vertex;

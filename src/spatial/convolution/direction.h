@@ -23,7 +23,7 @@ inline Direction scaled_direction(Vec3 v, double error) {
 
 inline double direction_norm(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-/// From one vertex to another, each coordinate of either within `each` of the exact one.
+/// The direction from one vertex to another, each coordinate of either within `each` of the exact one.
 inline Direction edge_direction(Vec3 from, Vec3 to, double each) {
   const Vec3 d = to - from;
   return scaled_direction(d, 2 * each + direction_norm(d) * 0x1p-52);

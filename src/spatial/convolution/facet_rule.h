@@ -22,8 +22,8 @@ inline int edge_pair_side(const EdgePairSigns& at) {
   return s * at.e_right > 0 || s * at.g_left > 0 || s * at.g_right < 0 ? 0 : s;
 }
 
-/// Where a face of one edge is coplanar with the facet, the ray of the other edge on its side has to be
-/// lexicographically positive: whether that holds for wedges e of P and g of Q. Exact.
+/// The rule for a face of one edge that is coplanar with the facet: the ray of the other edge on its side has to be
+/// lexicographically positive. Returns whether that holds for wedges e of P and g of Q. Exact.
 bool ties_hold(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, const Wedge& e, const Wedge& g,
                const EdgePairSigns& at);
 

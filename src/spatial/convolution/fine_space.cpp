@@ -7,7 +7,7 @@ using exact::dot;
 
 namespace {
 
-/// Of a product of two.
+/// The type of a product of two.
 template <class N>
 std::optional<int> sign_of_product(const N& a, const N& b) {
   const std::optional<int> s = sign_of(a);

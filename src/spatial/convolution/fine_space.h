@@ -45,7 +45,7 @@ class IntervalSpace {
   Vector direction(DirectionSource w) const;
   Vector along(const SumEdge& e) const;
   Vector normal(const PlaneSource& source) const;
-  /// Of kinds sum, edge and planes, from a sum on.
+  /// The position of a point of kind sum, edge or planes, as a vector from a sum.
   Position position(const PointSource& point, SumPoint origin) const;
   SumPoint beside(const PointSource& point) const;
 

@@ -69,10 +69,10 @@ class GridSpace final : public SumSpace {
   void set_plane(PlaneId id, const PlaneSource& source);
   /// n . x of all points x of a plane: made where it is requested, as doubles answer most questions.
   Offset offset(PlaneId plane) const { return exact::dot(n_[plane], sum(plane_sources_[plane].at)); }
-  /// Of a point of kind edge, planes: Homogeneous of the widths that these have.
+  /// The position of a point of kind edge, or planes: Homogeneous of the widths that these have.
   auto of_edge(const PointSource& point) const;
   auto of_planes(const PointSource& point) const;
-  /// Of any point, where one type has all of them.
+  /// The position of any point, where one type has all of them.
   Homogeneous<C, C> of_any(const PointSource& point) const;
   /// f(Homogeneous) with the point in the narrowest form of its kind.
   template <class F>
@@ -94,7 +94,7 @@ class GridSpace final : public SumSpace {
   int by_rungs(Query query, Exactly exactly) const;
 
   std::vector<Point> p_int_, q_int_;
-  /// Of either operand the same, over the largest integer that divides all differences, where that is kept: for
+  /// The positions of either operand over the largest integer that divides all differences, where that is kept: for
   /// integers of any size.
   std::vector<Point> p_short_, q_short_;
   std::vector<exact::Vector3<Normal>> n_;

@@ -21,7 +21,7 @@ int passes_upward(Vec3 from, Vec3 a, Vec3 b, Vec3 c, double margin);
 /// with a margin: what it holds is a proof, the rest says nothing.
 class InnerCells {
  public:
-  /// With about `across` boxes over the sum in each direction; below 2 there are none. O(k + r s) for k boxes near the
+  /// Makes about `across` boxes over the sum in each direction; below 2 there are none. O(k + r s) for k boxes near the
   /// surfaces and r and s rows of boxes inside.
   InnerCells(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, int across, StageWatch& watch);
 

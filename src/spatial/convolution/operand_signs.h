@@ -17,11 +17,11 @@ using ExactVertex = exact::Vector3<exact::Big>;
 class OperandSigns {
  public:
   virtual ~OperandSigns() = default;
-  /// As exact::orient3_sign.
+  /// The sign that exact::orient3_sign has.
   virtual int orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const = 0;
-  /// As exact::normal_sign.
+  /// The sign that exact::normal_sign has.
   virtual int normal(std::uint32_t a, std::uint32_t b, std::uint32_t c, exact::Axis axis) const = 0;
-  /// Of b's coordinate less a's.
+  /// The sign of b's coordinate less a's.
   virtual int order(std::uint32_t a, std::uint32_t b, exact::Axis axis) const = 0;
 
   /// a, b, c lie on one line; equal vertices do.

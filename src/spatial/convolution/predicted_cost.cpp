@@ -21,7 +21,7 @@ Vec3 normal(const SolidOperand& solid, std::uint32_t t) {
 }
 double angle(Vec3 u, Vec3 v) { return std::atan2(length(cross(u, v)), dot(u, v)); }
 
-/// Of convex edges: the lengths of the arcs of their normals.
+/// The sum, over convex edges, of the lengths of the arcs of their normals.
 double convex_angles(const SolidOperand& solid) {
   double sum = 0;
   for (const Wedge& w : solid.wedges) {

@@ -10,7 +10,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// Of either operand's faces, and of edges; and of facets in all, those after are left out.
+/// How many of either operand's faces, and of its edges, are drawn; and how many facets are kept in all.
 constexpr std::size_t kDrawn = 96, kMostFacets = 3000;
 /// A prime, so that every drawn one is queried once.
 constexpr std::size_t kStride = 1009;

@@ -254,21 +254,21 @@ class ConeWrap {
   int normal(std::uint32_t a, std::uint32_t b, exact::Axis axis) const {
     return signs_.normal(o_, end(a), end(b), axis);
   }
-  /// Of a x b, along the first axis where it is not zero; 0 for parallel rays.
+  /// The sign of a x b, along the first axis where it is not zero; 0 for parallel rays.
   int turns(std::uint32_t a, std::uint32_t b) const {
     for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y})
       if (const int s = normal(a, b, axis)) return s;
     return 0;
   }
-  /// Of rays in one plane: a turns to b the same way as c to d.
+  /// Whether, of rays in one plane, a turns to b as c to d.
   bool same_turn(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y})
       if (const int s = normal(a, b, axis)) return s == normal(c, d, axis);
     return false;
   }
 
-  /// From ray i the ray with all others on or to the left of the plane through both; among several in that plane the
-  /// last one. None where an opposite ray, or one on the other side, shows that the cone is not pointed.
+  /// The ray, next to ray i, with all others on or to the left of the plane through both; among several in that plane
+  /// the last one. None where an opposite ray, or one on the other side, shows that the cone is not pointed.
   std::uint32_t next(std::uint32_t i) const {
     std::uint32_t best = kNoRay;
     for (const std::uint32_t k : distinct_) {

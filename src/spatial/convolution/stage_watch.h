@@ -64,7 +64,7 @@ class StageWatch {
     if (std::this_thread::get_id() == caller_) query(fraction);
   }
 
-  /// To be called by stages that run in one piece, now and then.
+  /// Stages that run in one piece call this now and then.
   void query(double fraction) {
     if (options_.progress && !options_.progress(stats_.stages.back().name, fraction)) {
       stop_ = true;

@@ -36,7 +36,7 @@ using PlaneId = std::uint32_t;
 using PointId = std::uint32_t;
 using EdgeId = std::uint32_t;
 
-/// Of coordinates on their common grid. Doubles of any sizes have 2,099.
+/// The most bits of coordinates on their common grid. Doubles of any sizes have 2,099.
 inline constexpr int kMostGridBits = 8192;
 inline constexpr std::uint32_t kNoId = 0xffffffff;
 
@@ -119,33 +119,33 @@ class SumSpace {
   // Exact signs. None uses doubles.
   virtual int exact_side(PlaneId plane, SumPoint point) const = 0;
   virtual int exact_side(PlaneId plane, const PointSource& point) const = 0;
-  /// Of det(a.to - a.from, b.to - b.from, b.from - a.from).
+  /// The sign of det(a.to - a.from, b.to - b.from, b.from - a.from).
   virtual int exact_twist(const SumEdge& a, const SumEdge& b) const = 0;
-  /// Of n . (to - from).
+  /// The sign of n . (to - from).
   virtual int exact_rise(PlaneId plane, const SumEdge& edge) const = 0;
-  /// Of det(n_a, n_b, n_c).
+  /// The sign of det(n_a, n_b, n_c).
   virtual int exact_det(PlaneId a, PlaneId b, PlaneId c) const = 0;
-  /// Of the component of n_a x n_b.
+  /// The sign of the component of n_a x n_b.
   virtual int exact_cross(PlaneId a, PlaneId b, int axis) const = 0;
-  /// Of n_a . n_b.
+  /// The sign of n_a . n_b.
   virtual int exact_dot(PlaneId a, PlaneId b) const = 0;
   virtual int exact_normal(PlaneId plane, int axis) const = 0;
   /// 1 or -1 for the same plane with the same or the opposite normal, else 0.
   virtual int same_plane(PlaneId a, PlaneId b) const = 0;
   virtual bool same_point(const PointSource& a, const PointSource& b) const = 0;
-  /// Of b's coordinate less a's.
+  /// The sign of b's coordinate less a's.
   virtual int exact_order(const PointSource& a, const PointSource& b, int axis) const = 0;
-  /// Of det(u, v, w).
+  /// The sign of det(u, v, w).
   virtual int exact_det(DirectionSource u, DirectionSource v, DirectionSource w) const = 0;
-  /// Of (u x v) . (w x x).
+  /// The sign of (u x v) . (w x x).
   virtual int exact_dot(DirectionSource u, DirectionSource v, DirectionSource w, DirectionSource x) const = 0;
   virtual int exact_leading(DirectionSource w) const = 0;
-  /// Of r . ((u x v) x (w x x)).
+  /// The sign of r . ((u x v) x (w x x)).
   virtual int exact_turn(DirectionSource r, DirectionSource u, DirectionSource v, DirectionSource w,
                          DirectionSource x) const = 0;
-  /// On which side of a plane a flag lies, that does not have to be one of the space's.
+  /// The side of a plane on which a flag lies. The plane does not have to be one of the space's.
   virtual int exact_side(const PlaneSource& plane, const Flag& flag) const = 0;
-  /// Of the component of a plane's normal.
+  /// The sign of the component of a plane's normal.
   virtual int exact_normal(const PlaneSource& plane, int axis) const = 0;
 
   /// Whether a plane was made from a sum, or from both ends of an edge: then it lies in the plane. A "no" says nothing.
@@ -159,8 +159,8 @@ class SumSpace {
   int side(PlaneId plane, const PointSource& point, const Approx& approx) const;
   int det(PlaneId a, PlaneId b, PlaneId c) const;
   int det(DirectionSource u, DirectionSource v, DirectionSource w) const;
-  /// Of a determinant of three vectors with these sums of sizes, computed in doubles from integers: whether no rounding
-  /// took place.
+  /// Whether no rounding took place in a determinant of three vectors with these sums of sizes, computed in doubles
+  /// from integers.
   bool computed_exactly(double u, double v, double w) const { return sum_radius_ == 0 && u * v * w < 0x1p50; }
 
   /// Doubles for a point; the radius is at most 2^-30 of the span.

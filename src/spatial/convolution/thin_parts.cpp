@@ -91,7 +91,7 @@ class ThinParts {
   }
 
   int turn(const PlateSide& a, const PlateSide& b) const { return signs_.orient(a.low, a.high, apex(a), apex(b)); }
-  /// For plates in one plane.
+  /// Whether two plates in one plane lie in the same half of it.
   bool same_half(const PlateSide& a, const PlateSide& b) const {
     for (const exact::Axis axis : {exact::Axis::z, exact::Axis::x, exact::Axis::y}) {
       const int s = signs_.normal(a.low, a.high, apex(a), axis);

@@ -6,7 +6,7 @@
 
 namespace dymsum::spatial {
 
-/// As erode, for surfaces that sum_of_solids takes.
+/// The inner fit that erode makes, for surfaces that sum_of_solids takes.
 Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOptions& options);
 /// The same where vertices of `a` are fractions.
 Result<SpatialSum> erosion(const ExactSet& a, const MeshData& b, const SpatialOptions& options);

@@ -8,8 +8,8 @@
 
 namespace dymsum::spatial {
 
-/// From below `low` to above `high` by more than `length` at both ends, in multiples of a power of two that is at most
-/// the length and at least 2^-50 of the ends, so that both are doubles of few bits.
+/// Ends of an interval that reaches beyond `low` and `high` by more than `length`, in multiples of a power of two that
+/// is at most the length and at least 2^-50 of the ends, so that both are doubles of few bits.
 std::array<double, 2> framed(double low, double high, double length);
 
 /// A box, less `a`. Vertices and faces of `a` keep their indices, those of the box follow; a's faces are turned over.

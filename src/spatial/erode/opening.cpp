@@ -97,7 +97,7 @@ void add_tight(const SpatialSum& sum, Step& step) {
   step.set.thin.resize(faces.size(), true);
 }
 
-/// Where rounding leaves less of a tight feature.
+/// The error where rounding leaves less of a tight feature.
 Result<void> lost_tight(const Step& step) {
   const MeshData& set = step.set.set;
   const auto at = [&](std::uint32_t v) { return set.vertices[v]; };
@@ -127,7 +127,7 @@ Result<Step> rounded_step(const SpatialSum& sum, Step step) {
   return step;
 }
 
-/// Of a sum that is not needed any more.
+/// The operand of the next step, made of a sum that is not needed any more.
 Result<Step> next_operand(Result<SpatialSum> first, BetweenSteps between) {
   if (!first) return first.error();
   const SpatialSum& sum = *first;

@@ -153,8 +153,8 @@ class CrossingSearch {
     return w_.facets[facet].has_corner(e.from) || w_.facets[facet].has_corner(e.to);
   }
 
-  /// Of two facets in different planes: whether they share a facet edge, or two other corners, and meet nowhere else.
-  /// They do where they fold onto each other, at an angle at which their planes are one.
+  /// Whether two facets in different planes share a facet edge, or two other corners, and meet nowhere else. They do
+  /// where they fold onto each other, at an angle at which their planes are one.
   bool meet_in_facet_edge(std::uint32_t f, std::uint32_t g) const {
     const WindowFacet &a = w_.facets[f], &b = w_.facets[g];
     int shared = 0;

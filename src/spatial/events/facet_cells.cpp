@@ -75,7 +75,7 @@ WindowSlants::WindowSlants(const RotatingPair& pair, const std::vector<WindowFac
   find_signs(range, roots.angles(), forms);
 }
 
-/// At one angle before all of their roots.
+/// Finds the signs at one angle before all of their roots.
 void WindowSlants::find_signs(const RotationRange& range, const RootOrder& angles,
                               const std::vector<exact::Polynomial>& forms) {
   const AlgebraicRoot first =
@@ -93,7 +93,7 @@ struct SlantsAt {
   std::size_t count = 0;
 };
 constexpr double kCrowdWidth = 0x1p-20, kRoomBesideCrowd = 0x1p10;
-/// In t times |axis|: windows in which boxes and positions do not tell anything more.
+/// The width, in t times |axis|, of windows in which boxes and positions decide nothing more.
 constexpr double kNarrow = 0x1p-20;
 constexpr std::size_t kSlantsOfPart = 16;
 

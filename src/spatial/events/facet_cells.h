@@ -39,9 +39,9 @@ class WindowSlants {
   std::map<Key, std::size_t> index_;
 };
 
-/// Where a window is to be divided, ascending, inside it; nothing where as a whole it does. Masses that are parallel
-/// but for rounding have hundreds of slants that vanish at angles some 1e-16 apart, and meet there and nowhere else:
-/// such a crowd has a window of its own, and that is divided into windows of few slants each.
+/// The parameters inside a window at which it is to be divided, ascending; none where it does as a whole. Masses that
+/// are parallel but for rounding have hundreds of slants that vanish at angles some 1e-16 apart, and meet there and
+/// nowhere else: such a crowd has a window of its own, and that is divided into windows of few slants each.
 std::vector<exact::BigRational> parts_of(const WindowSlants& slants, const RootOrder& angles,
                                          const RotationRange& range);
 
@@ -51,7 +51,7 @@ using RotationCells = std::uint64_t;
 struct FacetCells {
   /// Rational angles at which so many slants vanish that they crowd, ascending, as indices.
   std::vector<std::uint32_t> crowded;
-  /// Per facet: at least the cells in which it exists at some angle. Of facets that exist at crowded angles alone none.
+  /// At least the cells in which each facet exists at some angle. Of facets that exist at crowded angles alone none.
   std::vector<RotationCells> of;
 
   FacetCells() = default;

@@ -17,7 +17,7 @@ inline bool has_corner(const SumFacet& facet, SumPoint corner) {
 inline bool share_corner(const SumFacet& a, const SumFacet& b) {
   return std::any_of(a.corner.begin(), a.corner.begin() + a.corners, [&](SumPoint c) { return has_corner(b, c); });
 }
-/// From corner k to the next one.
+/// The facet edge from corner k to the next one.
 inline SumEdge facet_edge_of(const SumFacet& facet, int k) {
   return {facet.corner[k], facet.corner[(k + 1) % facet.corners]};
 }

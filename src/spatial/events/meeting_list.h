@@ -20,12 +20,12 @@ struct MeetingEvent {
 
 class MeetingList {
  public:
-  /// At scales from `low` to `high`, of a sum of that span. Keeps the reference.
+  /// A list of meetings at scales from `low` to `high`, of a sum of that span. Keeps the reference.
   MeetingList(const ScaledOverlap& overlap, double low, double high, double span)
       : overlap_(overlap), low_(low), high_(high), span_(span) {}
 
   bool is_beside_window(const NearMeeting& at) const { return at.s < low_ - at.s_radius || at.s > high_ + at.s_radius; }
-  /// Of the doubles of an exact point.
+  /// Whether the doubles of an exact point are in the window.
   bool is_in_window(const NearMeeting& at) const {
     return at.s >= low_ * (1 - 0x1p-50) && at.s <= high_ * (1 + 0x1p-50);
   }

@@ -73,7 +73,7 @@ Sized side_of_facet_edge(const MovingFacets& all, const SumFacet& facet, Vec3 n,
   return {dot(n, cross(e, g)), 8 * (blur * (E + G) + blur * blur + E * G * 0x1p-48)};
 }
 
-/// From a facet edge's beginning to its end and to a point, times the point's weight.
+/// The vectors from a facet edge's beginning to its end and to a point, times the point's weight.
 struct AlongFacetEdge {
   BigVector direction, gap;
 };

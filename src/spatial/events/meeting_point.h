@@ -1,4 +1,4 @@
-// Where moving planes meet: exact points of (x, s), and their doubles.
+// The points in which moving planes meet: exact points of (x, s), and their doubles.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct ExactMeeting {
 using FourPlanes = std::array<const MovingPlane*, 4>;
 /// The one point that four hyperplanes have in common; nothing where it is not one.
 std::optional<ExactMeeting> meeting_of(const FourPlanes& planes);
-/// Where a corner's line passes a hyperplane; nothing where it stays on one side or in it.
+/// The point at which a corner's line passes a hyperplane; nothing where it stays on one side or in it.
 std::optional<ExactMeeting> meeting_of(const ScalingPair& all, SumPoint corner, const MovingPlane& plane);
 /// Whether a corner stays in a hyperplane at all scales.
 bool stays_in(const ScalingPair& all, SumPoint corner, const MovingPlane& plane);
@@ -38,7 +38,7 @@ Meets meeting_near(const std::array<const PlaneRow*, 4>& rows, double span, Near
 Meets meeting_near(const ScalingPair& all, SumPoint corner, const PlaneRow& row, double span, NearMeeting& at);
 NearMeeting near(const ExactMeeting& at);
 
-/// Where a point of a facet's plane lies in it.
+/// The part of a facet in which a point of its plane lies.
 struct PositionInFacet {
   bool holds = false;
   std::uint8_t on = 0;  ///< bit k: on the facet edge from corner k to k + 1
@@ -71,7 +71,7 @@ struct LastingCrossing {
   bool stays_beside(const PlaneRow& row) const;
 };
 
-/// Of facet edges in one plane that are not parallel, at scales from `low` to `high`.
+/// The crossing of facet edges in one plane that are not parallel, at scales from `low` to `high`.
 LastingCrossing lasting_crossing_of(const MovingFacets& all, const SumEdge& one, const SumEdge& other, double low,
                                     double high);
 

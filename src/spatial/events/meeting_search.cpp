@@ -30,7 +30,7 @@ struct FourHash {
   }
 };
 
-/// In one window of scales.
+/// The search for meetings in one window of scales.
 class MeetingSearch {
  public:
   MeetingSearch(const MovingFacets& all, const ScaledOverlap& overlap, double low, double high,

@@ -16,7 +16,7 @@ std::vector<double> window_ends(const MovingFacets& all, double low, double high
 class LiveFeatures {
  public:
   LiveFeatures() = default;
-  /// By their indices, and in the same positions their boxes.
+  /// Features by their indices, and in the same positions their boxes.
   LiveFeatures(BoxTree tree, std::vector<std::uint32_t> features)
       : tree_(std::move(tree)), features_(std::move(features)) {}
   std::size_t size() const { return features_.size(); }
@@ -43,7 +43,7 @@ struct Meetings {
   std::uint64_t candidates = 0, exact = 0;
 };
 
-/// At scales from `low` to `high`. `query` is called now and then, and may throw.
+/// The meetings at scales from `low` to `high`. `query` is called now and then, and may throw.
 Meetings find_meetings(const MovingFacets& all, const ScaledOverlap& overlap, double low, double high,
                        const std::function<void()>& query);
 

@@ -34,8 +34,8 @@ std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
   return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
 }
 
-/// Of every edge of a solid: 1 where it is one of solid parts between two triangles in one plane, at which nothing else
-/// meets.
+/// What every edge of a solid is: 1 where it is one of solid parts between two triangles in one plane, at which nothing
+/// else meets.
 std::unordered_map<std::uint64_t, int> inner_edges_of(const SolidOperand& solid) {
   std::unordered_map<std::uint64_t, int> wedges;
   for (const Wedge& w : solid.wedges) wedges[pair_key(w.from, w.to)] += w.bend == Wedge::Bend::flat ? 1 : 2;

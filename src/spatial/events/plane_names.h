@@ -12,8 +12,8 @@ std::uint64_t plane_name(const ScalingPair& pair, const SolidContact& contact);
 /// The same for planes that are one at all angles, as walls along the axis are: that of plane_hash in chart 0.
 std::uint64_t plane_name(const RotatingPair& pair, const SolidContact& contact);
 
-/// Of the equation of a plane at one t modulo the prime 2^61 - 1, up to a factor: equal for planes that are one at
-/// every angle. Equal hashes of others are a coincidence of one in 2^60.
+/// A hash of the equation of a plane at one t modulo the prime 2^61 - 1, up to a factor: equal for planes that are one
+/// at every angle. Equal hashes of others are a coincidence of one in 2^60.
 std::uint64_t plane_hash(const PolynomialFrame& frame, const PlaneSource& plane);
 
 }  // namespace dymsum::spatial

@@ -76,7 +76,7 @@ ProvedOverlap::Answer ProvedOverlap::triangles(const Position& at, std::uint32_t
   return unsure ? Answer::unsure : Answer::apart;
 }
 
-/// Where the surfaces are apart: whether a shell of one solid lies in the other one.
+/// Whether a shell of one solid lies in the other one, where the surfaces are apart.
 bool ProvedOverlap::contained(const Position& at, double far, bool& proved) const {
   const auto inside = [&](const SolidOperand& solid, auto position, Vec3 from) {
     const Vec3 to = from + far * Vec3{0.5377, 0.6431, 0.5453};

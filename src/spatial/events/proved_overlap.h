@@ -8,7 +8,7 @@
 
 namespace dymsum::spatial {
 
-/// Of a solid F and x - s M for another one, M, both where they are given.
+/// Whether a solid F and x - s M provably overlap or are apart, for another solid M, both where they are given.
 class ProvedOverlap {
  public:
   enum class Answer : std::uint8_t { apart, overlap, unsure };
@@ -17,7 +17,7 @@ class ProvedOverlap {
     double s = 1;
     double blur = 0;  ///< of every component of a difference of two positions
   };
-  /// By the positions of their vertices. The operands have to live as long.
+  /// Takes the solids with the positions of their vertices. The operands have to live as long.
   ProvedOverlap(const SolidOperand& f, std::vector<Vec3> f_positions, const SolidOperand& m,
                 std::vector<Vec3> m_positions);
 
@@ -35,14 +35,14 @@ class ProvedOverlap {
   BoxTree f_tree_, m_tree_;
 };
 
-/// Of the fixed solid and the one that scales.
+/// Proofs of overlap of the fixed solid and the one that scales.
 class ScaledOverlap {
  public:
   using Answer = ProvedOverlap::Answer;
   /// The pair has to live as long.
   explicit ScaledOverlap(const ScalingPair& all);
 
-  /// For all positions within `radius` of x and scales within `s_radius` of s.
+  /// The answer for all positions within `radius` of x and scales within `s_radius` of s.
   Answer at(Vec3 x, double s, double radius, double s_radius) const;
   /// Whether the facet lies in the open sum at all scales from `low` to `high`. A "no" says nothing.
   bool deep_inside(const SumFacet& facet, double low, double high) const;

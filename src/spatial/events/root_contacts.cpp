@@ -35,14 +35,14 @@ std::optional<exact::BigRational> short_rational(const RotatingPair& pair, const
   return t;
 }
 
-/// Of all t within 2^-bits.
+/// The sign at all t within 2^-bits.
 template <class Frame>
 Frame frame_at(const RotatingPair& pair, int chart, const AlgebraicRoot& root, long bits) {
   exact::RootBracket bracket = root.bracket();
   if (!bracket.is_point()) bracket.refine_to(bits);
   return {pair, chart, bracket.low().value(), bracket.high().value()};
 }
-/// For pairs of doubles: some 2^-100 of the root's size.
+/// The bits of a root that pairs of doubles need: some 2^-100 of the root's size.
 long fine_bits(const AlgebraicRoot& root) {
   const double size = std::max(std::abs(root.low()), std::abs(root.high()));
   return size > 0 ? 104L - std::max(std::ilogb(size), -400) : 104L;
@@ -245,7 +245,7 @@ class RootContacts {
     return free_contact(meeting, at, source);
   }
 
-  /// Where facets with this condition hold all others: the face plus the edge.
+  /// The contact where facets with this condition hold all others: the face plus the edge.
   std::optional<SolidRotationContact> normal_on_arc(const Meeting& meeting) {
     const SlantCondition& c = meeting.slant;
     const auto hangs_on = [&](const WindowFacet& f) {

@@ -22,7 +22,7 @@ bool is_inner(const RotatingPair& pair, const WindowFacet& f, int k) {
   return solid.wedges[solid.wedge_of[3 * t + static_cast<std::uint32_t>(k)]].bend == Wedge::Bend::flat;
 }
 
-/// In radians: windows of fewer are looked at in pairs of doubles.
+/// The width in radians below which windows are looked at in pairs of doubles.
 constexpr double kNarrowWindow = 0x1p-20;
 
 /// What does not happen in the window is determined by signs in `Frame`.
@@ -69,7 +69,7 @@ class Finder {
   using Key = std::array<std::uint32_t, 5>;
   void add(const FormRoot& root, const Meeting& meeting) { result_.meetings.push_back({root.angle, meeting}); }
 
-  /// At all roots of a form.
+  /// Adds candidates at all roots of a form.
   template <class F>
   void add_roots(const Key& key, const Meeting& meeting, F form) {
     const auto [at, fresh] = known_.try_emplace(key);

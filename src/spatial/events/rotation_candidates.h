@@ -50,7 +50,7 @@ struct WindowMeetings {
   RootOrder angles;
   std::vector<RootMeeting> meetings;  ///< in any order of angles
   FacetCells cells;
-  /// Where the window is to be divided instead, ascending, inside it: then nothing else is told.
+  /// The parameters inside the window at which it is to be divided instead, ascending: then nothing else is reported.
   std::vector<exact::BigRational> parts;
 };
 

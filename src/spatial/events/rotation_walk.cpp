@@ -56,7 +56,7 @@ class RotationWalk {
     while (all < 0) all += kTurn;
     while (all >= kTurn) all -= kTurn;
     if (a.chart == b.chart && a.t == b.t) all = path.whole ? kTurn : 0;
-    // In t of a chart; angles turn by at most 2 |axis| as much. The walk begins a little before a.
+    // The step in t of a chart; angles turn by at most 2 |axis| as much. The walk begins a little before a.
     const double step = step_ / 2 / circle.length();
     ChartPosition low{a.chart, dyadic(exact::round_to_double(a.t) - 0.3 * step, step)};
     double done = radians(low) - radians(a);
@@ -100,7 +100,7 @@ class RotationWalk {
     bool wanted = false;  ///< others are known by their roots alone, to choose places between
     std::vector<SolidRotationContact> contacts;
   };
-  /// Which angles of a window are requested: from `low` (open where `past`) to `high`, where they are.
+  /// The angles of a window that are requested: from `low` (open where `past`) to `high`, where they are.
   struct Wanted {
     std::optional<BigRational> low, high;
     bool past = false;
@@ -150,7 +150,8 @@ class RotationWalk {
     return angles;
   }
 
-  /// Of a part without wanted angles one angle is listed, no event's: the end of it that is nearer to wanted ones.
+  /// The angles in parts of a window. Of a part without wanted angles one angle is listed, no event's: the end of it
+  /// that is nearer to wanted ones.
   std::vector<Angle> angles_in_parts(const RotationRange& range, std::vector<BigRational> ends, const Wanted& wanted) {
     std::vector<Angle> angles;
     ends.push_back(range.high);

@@ -17,8 +17,8 @@ struct RotatingFacets {
   PairOfBalls balls;
 };
 
-/// From a position of the circle to another one, both included unless `past`: then not the first one. A whole turn from
-/// a position back to it where `whole`.
+/// A path from a position of the circle to another one, both included unless `past`: then not the first one. A whole
+/// turn from a position back to it where `whole`.
 struct RotationPath {
   ChartPosition from, to;
   bool past = false, whole = false;

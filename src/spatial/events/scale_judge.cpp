@@ -234,7 +234,7 @@ std::optional<Flag> ExactJudge::in_front_of_all(const PointSource& position, std
     const Flag flag{position, first + i, 0, 0, 0, 1};
     if (!provably_after(space.plane(first + i).n) && is_in_front(flag)) return flag;
   }
-  // Against n x n_cut, then to the left of that, which is to the front of `cut`, then off the plane.
+  // The flag points against n x n_cut, then to the left of that, which is to the front of `cut`, then off the plane.
   for (PlaneId i = 0; i < count; ++i)
     for (PlaneId k = 0; k < count; ++k) {
       if (i == k || provably_after(cross(space.plane(first + k).n, space.plane(first + i).n))) continue;

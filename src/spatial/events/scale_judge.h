@@ -21,7 +21,7 @@ struct JudgedPoint {
   bool is_general = false;            ///< their position is
 };
 
-/// By doubles. Statement and proof: docs/design/scaling-solids.md, "What the facets tell".
+/// The verdict of doubles. Statement and proof: docs/design/scaling-solids.md, "What the facets tell".
 JudgedPoint judge(const MovingFacets& all, const LiveFeatures& live, const ScaledOverlap& overlap,
                   const MeetingEvent& event);
 
@@ -35,8 +35,8 @@ class ExactJudge {
   /// Requires has_room. The facets have to live as long.
   ExactJudge(const MovingFacets& all, const exact::BigRational& s);
 
-  /// As judge(), for a point at this scale that it leaves unknown. Cost: two collision tests and m^2 signs for m facets
-  /// through the point.
+  /// The exact verdict for a point at this scale that it leaves unknown. Cost: two collision tests and m^2 signs for m
+  /// facets through the point.
   JudgedPoint::Verdict verdict(const ExactMeeting& at, const JudgedPoint& judged);
 
  private:

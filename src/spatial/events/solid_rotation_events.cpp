@@ -39,7 +39,7 @@ class SolidRotationEvents::State {
     return made;
   }
 
-  /// From a to b, both included; a whole turn behind a where `whole`.
+  /// The events from a to b, both included; up to a whole turn after a where `whole`.
   Result<std::vector<SolidRotationEvent>> list(const AxisTurn& a, const AxisTurn& b, bool whole,
                                                const Progress& progress) {
     std::vector<SolidRotationEvent> events;
@@ -87,7 +87,7 @@ class SolidRotationEvents::State {
   SpatialOptions stages;
   spatial::RotatingPair pair;
   bool moved = false;  ///< an operand is far from the origin, and moved beside it
-  /// Of the pair beside the origin, the events of which are those of the given one: R(theta) (P + c) + Q + d is
+  /// Facets of the pair beside the origin, the events of which are those of the given one: R(theta) (P + c) + Q + d is
   /// R(theta) P + Q moved by R(theta) c + d.
   spatial::RotatingFacets near;
   SolidRotationWork work;

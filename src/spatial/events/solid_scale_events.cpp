@@ -31,7 +31,7 @@ std::optional<Error> refused(const Mesh& p, const Mesh& q, const SolidScaleOptio
   return std::nullopt;
 }
 
-/// Beyond both ends, so that there is a scale before the first event and one after the last.
+/// How far the window reaches beyond both ends, so that there is a scale before the first event and one after the last.
 constexpr double kBeside = 0x1p-12;
 
 struct JudgedScale {
@@ -173,8 +173,8 @@ class SolidScaleEvents::State {
   SolidScaleOptions options_;
   ScalingPair given_;
   SpatialOptions stages_;
-  /// Of the operands beside the origin, the events of which are those of the given ones: (P + c) + s (Q + d) is P + s Q
-  /// moved by c + s d.
+  /// Facets of the operands beside the origin, the events of which are those of the given ones: (P + c) + s (Q + d) is
+  /// P + s Q moved by c + s d.
   std::optional<MovingFacets> facets_;
   std::optional<ScaledOverlap> overlap_;
 };

@@ -27,7 +27,7 @@ struct WindowFacet {
   bool has_corner(SumPoint v) const { return spatial::has_corner(facet, v); }
 };
 
-/// Of two operands without thin parts: their edges' directions and normals, as unit vectors.
+/// The Gauss maps of two operands without thin parts: their edges' directions and normals, as unit vectors.
 class GaussMaps {
  public:
   explicit GaussMaps(const RotatingPair& pair);

@@ -36,8 +36,8 @@ const std::vector<FormRoot>& WindowRoots::of(const Polynomial& p) {
   return at->second;
 }
 
-/// By the value in the midpoint and a bound of all slopes. Coefficients are within 2^-51, products of powers and sums
-/// of at most a dozen of them within 2^-48 of the sum of their sizes.
+/// Whether a form has no root, by its value at the midpoint and a bound of all slopes. Coefficients are within 2^-51,
+/// products of powers and sums of at most a dozen of them within 2^-48 of the sum of their sizes.
 bool WindowRoots::has_none(const exact::Terms& form) const {
   std::vector<exact::BinaryParts> parts;
   int top = std::numeric_limits<int>::min();

@@ -33,7 +33,7 @@ constexpr Crossing crossing_of(int op, std::uint32_t e, HalfEdge over) {
   return op == 0 ? Crossing{e, over, {}} : Crossing{over / 2, 2 * e + (1 - (over & 1)), {}};
 }
 
-/// Until when a certificate holds that is for ever, or not at all.
+/// The ends of certificates that hold for ever, or not at all.
 constexpr double kForever = std::numeric_limits<double>::infinity(), kBeforeAll = -kForever;
 
 /// Lists of crossings. A crossing keeps its index until it is freed; indices are used again.
@@ -61,7 +61,7 @@ struct ArcCrossings {
   std::uint32_t append(std::uint32_t e, HalfEdge q, double until_then, std::uint32_t before);
   /// A new one; it still has to be linked into the arc of the operand that is not op.
   std::uint32_t add(int op, const Crossing& crossing);
-  /// Out of the list of the arc of operand op, to which it still belongs alone.
+  /// Takes a crossing out of the list of the arc of operand op, to which it still belongs alone.
   void remove(int op, std::uint32_t id);
 
   /// Puts the crossings along the arc of edge e of operand op, which begins in the cell of vertex v of `other`, in

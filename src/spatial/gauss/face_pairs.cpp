@@ -21,8 +21,9 @@ void FacePairs::part() {
   for (const FacePair& pair : all) parallel[0][pair.p] = parallel[1][pair.q] = kNoFace;
 }
 
-/// Which way the other operand's half-edge `other`, an edge of the face that face[mine] of operand op is parallel to,
-/// leads a little way along the arc of `mine` from there: whether its target is further out (1) or its origin (-1).
+/// The direction in which the other operand's half-edge `other`, an edge of the face that face[mine] of operand op is
+/// parallel to, leads a little way along the arc of `mine` from there: whether its target is further out (1) or its
+/// origin (-1).
 int FacePairs::side_beyond(const Signs& signs, int op, HalfEdge mine, HalfEdge other) const {
   const Polytope &a = signs.poly(op), &b = signs.poly(1 - op);
   const std::uint32_t f = a.face[mine], f_end = a.face[twin(mine)];
@@ -31,13 +32,14 @@ int FacePairs::side_beyond(const Signs& signs, int op, HalfEdge mine, HalfEdge o
   // other.
   const std::uint32_t g = b.face[other], g_end = b.face[twin(other)];
   if (parallel[op][f_end] == g_end) {
-    // For their whole lengths: seen from either operand and either end on the same side, that at the right face of P.
+    // The arcs are on one side for their whole lengths: seen from either operand and either end it is the side at the
+    // right face of P.
     const std::uint32_t right = signs.poly(0).face[(op == 0 ? mine : other) | 1];
     return signs.sign_now(op, op == 0 ? right : parallel[0][right], other);
   }
   const int here = signs.sign_now(op, f, other), there = signs.sign_now(op, f_end, other);
   if (here == there) return here;
-  // Where they cross meanwhile, that crossing is left out.
+  // If they cross meanwhile, that crossing is left out.
   const bool crossing = signs.sign_now(1 - op, g, mine) != signs.sign_now(1 - op, g_end, mine);
   return crossing ? there : here;
 }

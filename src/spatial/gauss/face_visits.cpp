@@ -3,7 +3,7 @@
 namespace dymsum::spatial {
 namespace {
 
-/// Of a face, from which on the next faces round it are climbed for from one another.
+/// The number of a face's edges from which on the next faces round it are climbed for from one another.
 constexpr std::uint32_t kManyEdges = 8;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// In which order the faces of a Gauss map are come to from one another.
+// The order in which the faces of a Gauss map are visited, each from another one.
 #pragma once
 
 #include <cstdint>

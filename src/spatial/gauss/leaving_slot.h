@@ -1,4 +1,4 @@
-// Where an arc leaves a cell.
+// The edge of a cell across which an arc leaves it.
 #pragma once
 
 #include <bit>
@@ -10,8 +10,8 @@
 
 namespace dymsum::spatial {
 
-/// Of a vertex of many edges, see below: runs of faces on one side of the circle are passed at once. Out of the loops
-/// that walk, which it would slow down.
+/// The edge at a vertex of many edges, see below: runs of faces on one side of the circle are passed at once. It is
+/// kept out of the loops that walk, which it would slow down.
 template <class Value, class Sign>
 [[gnu::noinline]] std::uint32_t leaving_slot_of_many(const Polytope& other, std::uint32_t v, const RingBounds& bounds,
                                                      Vec3 along, double error, const Value& value, const Sign& sign) {

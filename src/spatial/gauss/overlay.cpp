@@ -36,7 +36,7 @@ std::uint32_t Overlay::step_near_zero(int op, std::uint32_t f, std::uint32_t v) 
   return to;
 }
 
-/// Of a vertex of many edges: the product of the steepest one with `row`, and its position in the rings. Where all fall
+/// The steepest edge of a vertex of many edges: its product with `row`, and its position in the rings. Where all fall
 /// something at least as large, see RingBounds.
 Overlay::Steepest Overlay::steepest_of_many(int op, std::uint32_t v, Vec3 row) const {
   const Polytope& other = poly(1 - op);

@@ -37,13 +37,13 @@ class Overlay {
  public:
   Overlay(const Polytope& p, const Polytope& q);
 
-  /// From nothing: by walking over both maps, O(faces + steps).
+  /// Builds the overlay from nothing, by walking over both maps, O(faces + steps).
   void build(const RelativeMap& map);
-  /// Of builds to come by walking. Where one throws, the overlay is good for nothing any more.
+  /// Limits the crossings of builds to come by walking. If one throws, the overlay is good for nothing any more.
   void limit_crossings(std::size_t most) { most_crossings_ = most; }
   /// The same by the definition: all faces with all vertices and all edges with all edges. O(m n).
   void build_brute(const RelativeMap& map);
-  /// From the state at the map before: corrects what the motion made wrong. `use_margins` = false checks everything.
+  /// Updates the state at the map before: corrects what the motion made wrong. `use_margins` = false checks everything.
   void update(const RelativeMap& map, bool use_margins = true);
 
   /// The combinatorics as words: the extreme vertex of every face of P, of every face of Q, then per crossing its edge
@@ -78,8 +78,8 @@ class Overlay {
   bool provably_crosses(std::uint32_t id) const { return arcs_.until[id] > clock_ || passes_in_doubles(id); }
 
   const OverlayWork& work() const { return work_; }
-  /// Of the last update or build: faces (operand, face) with another extreme vertex, and crossings that are new. Ids
-  /// are reused after removal.
+  /// What the last update or build changed: faces (operand, face) with another extreme vertex, and crossings that are
+  /// new. Ids are reused after removal.
   struct Changes {
     std::array<std::vector<std::uint32_t>, 2> faces;
     std::vector<std::uint32_t> crossings;
@@ -115,7 +115,7 @@ class Overlay {
   void break_arcs_of(std::uint32_t f, std::uint32_t g);
   void keep_pairs();
   void repair_new_pairs();
-  // From nothing.
+  // Walks along edge e, with nothing known of it.
   void walk(std::uint32_t e);
   std::uint32_t append_crossing(std::uint32_t e, HalfEdge q, double until, std::uint32_t before);
   void finish_crossings();
@@ -154,7 +154,7 @@ class Overlay {
   /// The time until which what was checked now holds; no later however far the clock has come. kBeforeAll stays.
   double later(double margin) const { return (clock_ + margin) * exact::kDown; }
 
-  /// Among the breaks of an arc, above all counts of crossings: its ends have changed.
+  /// A mark among the breaks of an arc, above all counts of crossings: its ends have changed.
   static constexpr std::uint32_t kEnds = std::uint32_t{1} << 31;
   // Certificates: what was checked holds until directions have moved by this angle since the start.
   double clock_ = 0;

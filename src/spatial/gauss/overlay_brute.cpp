@@ -59,7 +59,7 @@ void Overlay::build_brute(const RelativeMap& map) {
     for (std::uint32_t q = 0; q < poly(1).edge_count(); ++q)
       if (const std::int64_t h = crossing_half_edge(signs_, p, q); h >= 0 && !share_an_end(p, q))
         crossed.push_back(static_cast<HalfEdge>(h));
-    // In order: each leaves the vertex that the one before it led to.
+    // The crossings are in order: each leaves the vertex that the one before it led to.
     std::uint32_t v = end_cell(0, 2 * p), last = kNoCrossing;
     for (auto from = crossed.begin(); from != crossed.end(); ++from) {
       const auto it = std::find_if(from, crossed.end(), [&](HalfEdge h) { return poly(1).origin[h] == v; });

@@ -11,12 +11,12 @@
 namespace dymsum::spatial {
 namespace {
 
-/// In lists of crossings found, what follows the last one. The next numbers are those of the walker's edges, each for
+/// What follows the last crossing in lists of those found. The next numbers are those of the walker's edges, each for
 /// what comes before the first crossing along its arc; those of crossings follow.
 constexpr std::uint32_t kEnd = 0;
 constexpr std::uint32_t before_first(std::uint32_t e) { return e + 1; }
 
-/// Without a branch, which compilers would put here.
+/// Chooses without a branch, which compilers would put here.
 constexpr std::uint32_t chosen(bool first, std::uint32_t a, std::uint32_t b) {
   return b ^ ((a ^ b) & (0 - static_cast<std::uint32_t>(first)));
 }

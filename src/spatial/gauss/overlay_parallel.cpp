@@ -25,7 +25,7 @@ std::uint32_t Overlay::parallel_face(int op, std::uint32_t f) const {
   return other.ring_face[begin + (second == first + 1 ? first : second)];
 }
 
-/// From nothing, with all extreme vertices known.
+/// Finds the pairs from nothing, with all extreme vertices known.
 void Overlay::find_pairs() {
   pairs_.part();
   pairs_.all.clear();
@@ -43,8 +43,8 @@ void Overlay::find_pairs() {
   }
 }
 
-/// In updates, from the walker's faces whose vertices have no certificate (`faces`) and are right now: arcs of pairs
-/// that part, meet or turn against each other begin elsewhere.
+/// Finds what updates change of pairs, from the walker's faces whose vertices have no certificate (`faces`) and are
+/// right now: arcs of pairs that part, meet or turn against each other begin elsewhere.
 void Overlay::follow_pairs(std::span<const std::uint32_t> faces) {
   const int w = walker_;
   pairs_.part();
@@ -89,7 +89,7 @@ void Overlay::break_arcs_of(std::uint32_t f, std::uint32_t g) {
   }
 }
 
-/// Before a long move is followed: the pairs that stay, and where their arcs begin now.
+/// Keeps, before a long move is followed, the pairs that stay, and where their arcs begin now.
 void Overlay::keep_pairs() {
   const int w = walker_;
   pairs_.part();
@@ -116,9 +116,9 @@ void Overlay::keep_pairs() {
   }
 }
 
-/// After a long move, whose walks went through the crossings near pairs that it did not know of. The walk to a face of
-/// such a pair has come to an arc on which it lies: the last cell is one of those round the other face of the pair, and
-/// the circle, which goes through that, enters or leaves the cell across one of its two arcs there.
+/// Repairs pairs after a long move, whose walks went through the crossings near pairs that it did not know of. The walk
+/// to a face of such a pair has come to an arc on which it lies: the last cell is one of those round the other face of
+/// the pair, and the circle, which goes through that, enters or leaves the cell across one of its two arcs there.
 void Overlay::repair_new_pairs() {
   const int w = walker_;
   expired_.swap(leap_.on_arcs);

@@ -88,7 +88,7 @@ inline double Overlay::slack(HalfEdge over, Vec3 along) const {
   const std::array<double, 6>& n = poly(op).sides[over / 2];
   std::array<double, 2> side;
   for (std::size_t k = 0; k < 2; ++k) side[k] = n[k] * along.x + n[2 + k] * along.y + n[4 + k] * along.z;
-  // Without a branch: half-edges point either way as often.
+  // No branch is taken: half-edges point in either direction as often.
   const double forward = 1 - 2 * static_cast<double>(over & 1);
   const double least = std::min(forward * side[0], -forward * side[1]);
   return least > signs_.error(op) ? signs_.margin(op, least) : kBeforeAll;
@@ -261,7 +261,7 @@ void Overlay::repair_broken() {
   settle_other_side();
 }
 
-/// Of edge e of the walker; it still has to be linked into the arc of e.
+/// Adds a crossing of edge e of the walker; it still has to be linked into the arc of e.
 std::uint32_t Overlay::add_crossing(std::uint32_t e, HalfEdge over) {
   const std::uint32_t id = arcs_.add(1 - walker_, crossing_of(walker_, e, over));
   changes_.crossings.push_back(id);
@@ -316,7 +316,7 @@ void Overlay::set_vertex(int op, std::uint32_t f, std::uint32_t v) {
   spreading_.push_back(f);
 }
 
-/// From faces that have changed over arcs that are not crossed.
+/// Spreads vertices from faces that have changed over arcs that are not crossed.
 void Overlay::spread_vertex(int op) {
   const Polytope& mine = poly(op);
   while (!spreading_.empty()) {

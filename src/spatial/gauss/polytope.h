@@ -20,7 +20,8 @@ namespace dymsum::spatial {
 using HalfEdge = std::uint32_t;
 constexpr HalfEdge twin(HalfEdge h) { return h ^ 1; }
 
-/// Only true vertices, edges and faces, unless it was made without merging: then flat edges and vertices stay.
+/// A convex solid with only true vertices, edges and faces, unless it was made without merging: then flat edges and
+/// vertices stay.
 struct Polytope : GridPositions {
   // Vertices.
   std::vector<Vec3>
@@ -32,7 +33,7 @@ struct Polytope : GridPositions {
   std::vector<std::uint32_t> ring_face;      // face on the left of each of ring
   std::vector<Vec3> ring_normal;             // and its outward unit normal
   std::vector<RingOfEight> eight;            // the ring of each vertex once more, for floats
-  // Of vertices of many edges ring_direction and ring_normal once more; empty where there are no such vertices.
+  // Bounds of ring_direction and ring_normal of vertices of many edges; empty where there are no such vertices.
   std::vector<RingBounds> direction_bounds, normal_bounds;
   // Half-edges.
   std::vector<std::uint32_t> origin, face;

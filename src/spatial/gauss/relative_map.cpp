@@ -132,7 +132,7 @@ bool RelativeMap::set_scaled_in_words(const PoseFactors& p, const PoseFactors& q
   return true;
 }
 
-/// From big_, whose entries are below 2^most; empty afterwards where 126 bits do.
+/// Sets the map from big_, whose entries are below 2^most; empty afterwards where 126 bits do.
 void RelativeMap::set_big(unsigned most) {
   bits_ = most <= 62 ? 62 : most <= 126 ? 126 : static_cast<int>(most);
   if (bits_ > 126) return;
@@ -159,12 +159,12 @@ RelativeMap RelativeMap::turned(const std::array<BigInteger, 4>& quaternion) {
 
 namespace {
 
-// Of a sign's form, times the sum of |u_i m_ij v_j|, which is at most the Frobenius norm: two unit vectors (8 each), an
-// entry (2), two products and the sums of three.
+// The error of a sign's form, times the sum of |u_i m_ij v_j|, which is at most the Frobenius norm: two unit vectors (8
+// each), an entry (2), two products and the sums of three.
 constexpr double kSignError = exact::rounding_bound(2 * 8 + 2 + 2 + 4, 32);
-// Of the norm of c T - I for T = L L_before^-1, times c and both norms. Entries of T err by 2 * 2 of the maps', 1 of
-// the product and 2 of the sum, times the Frobenius norms, each at most sqrt(3) times the norm; c T and the difference
-// are rounded, 2 of twice 3.
+// The error of the norm of c T - I for T = L L_before^-1, times c and both norms. Entries of T err by 2 * 2 of the
+// maps', 1 of the product and 2 of the sum, times the Frobenius norms, each at most sqrt(3) times the norm; c T and the
+// difference are rounded, 2 of twice 3.
 constexpr double kTurnError = exact::rounding_bound(3 * 7 + 2 * 3, 64);
 // The same for a rotation, where c makes the norms 1: rows that are equally long are known to be so by 4 of their
 // lengths besides.

@@ -39,10 +39,10 @@ class RelativeMap {
     for (int r = 0; r < 3; ++r) m[r] = {entry<M>(index, 3 * r), entry<M>(index, 3 * r + 1), entry<M>(index, 3 * r + 2)};
     return m;
   }
-  /// In doubles, scaled by a power of two so that the largest entry is in [1, 2); every entry has relative error at
-  /// most 2^-52.
+  /// The map in doubles, scaled by a power of two so that the largest entry is in [1, 2); every entry has relative
+  /// error at most 2^-52.
   const Mat3& approx(int index) const { return approx_[index]; }
-  /// At least the spectral norm of approx(index).
+  /// A bound, at least the spectral norm of approx(index).
   double norm(int index) const { return norm_[index]; }
   double per_norm(int index) const { return per_norm_[index]; }  ///< 1 / norm
   /// A bound of the error of u . (approx(index) v) for unit vectors u, v with errors below 2^-50.
@@ -81,7 +81,8 @@ class RelativeMap {
   std::array<double, 2> norm_{}, per_norm_{}, error_{};
 };
 
-/// At least the spectral norm, by at most a tenth more: ||m||^8 = ||(m^T m)^4|| <= the Frobenius norm of that.
+/// A bound that is at least the spectral norm, and at most a tenth more: ||m||^8 = ||(m^T m)^4|| <= the Frobenius norm
+/// of that.
 double spectral_bound(const Mat3& m);
 
 }  // namespace dymsum::spatial

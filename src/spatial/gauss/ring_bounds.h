@@ -17,7 +17,7 @@ class RingBounds {
   static constexpr std::uint32_t kManyEdges = 32;
 
   RingBounds() = default;
-  /// Of unit vectors one after another round the ring.
+  /// The bounds of unit vectors one after another round the ring.
   explicit RingBounds(std::span<const Vec3> vectors);
 
   bool empty() const { return balls_.empty(); }

@@ -30,7 +30,7 @@ class Signs {
   /// `true_sign`, may be requested.
   void move(const RelativeMap& map) { map_ = map; }
 
-  /// Within error(op) of the exact value for unit normal, unit vector and the map as normalised in doubles.
+  /// The product within error(op) of the exact value for unit normal, unit vector and the map as normalised in doubles.
   double value(int op, std::uint32_t f, HalfEdge h) const {
     const double v = dot(row_[op][f], poly_[1 - op]->direction[h / 2]);
     return (h & 1) ? -v : v;
@@ -63,7 +63,7 @@ class Signs {
   /// The angle by which directions have to move at least before the sign of (op, f, h) can change; not positive where
   /// doubles cannot decide.
   double margin(int op, double value) const {
-    // Of at most 1: the difference, the quotient by the norm and the last difference.
+    // The error of a margin of at most 1: the difference, the quotient by the norm and the last difference.
     constexpr double kMarginError = exact::rounding_bound(2 + 2 + 1, 8192);
     return (std::abs(value) - map_.error(op)) * map_.per_norm(op) - kMarginError;
   }

@@ -79,7 +79,7 @@ class BallTest {
     const Point3& p = part_.vertices[v];
     return {p.x - ball_.centre.x, p.y - ball_.centre.y, p.z - ball_.centre.z};
   }
-  /// To within the slack.
+  /// The distance to within the slack.
   double rough_distance(std::uint32_t a, std::uint32_t b) const {
     const Vec3 u = seen(a), d = seen(b) - u;
     const double size = dot(d, d), t = size > 0 ? std::clamp(-dot(u, d) / size, 0.0, 1.0) : 0;

@@ -103,7 +103,7 @@ Box ClipWalls::reach(const SumSpace& space, std::uint32_t vertices) const {
 
 namespace {
 
-/// Of a point and the walls of one box: whether it lies outside, and the walls that it lies in.
+/// Whether a point lies outside one box, and the walls of the box that it lies in.
 struct WallSides {
   bool outside = false;
   std::uint32_t on = 0;

@@ -44,7 +44,8 @@ class LocalStages {
     });
   }
 
-  /// In the larger box, so that all is known around what lies in the box; then only what lies there.
+  /// Finds tight features in the larger box, so that all is known around what lies in the box; keeps only what lies
+  /// there.
   void find_tight(bool every_position) {
     const ArrangementScope looked_at{scopes_.inside.points, scopes_.within.edges, scopes_.within.cells};
     result_.tight = tight_features(*result_.space, result_.table, arrangement_, result_.boundary, collision_,

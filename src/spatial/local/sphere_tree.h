@@ -23,7 +23,7 @@ class SphereTree {
   };
 
   SphereTree() = default;
-  /// By medians of the centres. O(n log^2 n).
+  /// Divides by medians of the centres. O(n log^2 n).
   explicit SphereTree(const std::vector<Sphere>& spheres);
   /// New spheres of the same things. O(n).
   void fit(const std::vector<Sphere>& spheres);

@@ -8,7 +8,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// Of a tree over so many boxes. Both halves of equal sizes have equally many: O(log^2 n).
+/// The number of nodes of a tree over so many boxes. Both halves of equal sizes have equally many: O(log^2 n).
 std::uint32_t node_count(std::uint32_t boxes, std::uint32_t leaf) {
   if (boxes <= leaf) return 1;
   const std::uint32_t half = boxes / 2;

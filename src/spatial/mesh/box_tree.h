@@ -82,8 +82,8 @@ class BoxTree {
       }
     }
   }
-  /// As any_pair, with the boxes of the other tree reflected: a box B stands for the boxes at - B, for all positions
-  /// `at`.
+  /// Does what any_pair does, with the boxes of the other tree reflected: a box B stands for the boxes at - B, for all
+  /// positions `at`.
   template <class F>
   bool any_reflected_pair(const BoxTree& other, const Box& at, F f) const {
     const auto reflected = [&](const Box& b) { return Box{at.low - b.high, at.high - b.low}; };

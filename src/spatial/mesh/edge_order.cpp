@@ -70,7 +70,7 @@ class AroundEdge {
   Side reference_;
 };
 
-/// Of sides around an edge those that lie inside, where only one of neighbours in one direction can bound: the first
+/// Leaves out sides around an edge that lie inside, where only one of neighbours in one direction can bound: the first
 /// one where the inside begins, the last one where it ends. `left_out` of the half-edges; false where no two bound.
 bool leave_out_inner(const std::vector<Side>& sorted, std::vector<bool>& left_out) {
   const std::size_t n = sorted.size();

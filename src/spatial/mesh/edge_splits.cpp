@@ -22,7 +22,7 @@ using exact::Big;
 
 constexpr int kNarrow = 13;  // edges are 2^kNarrow times as long as vertices may be off them
 
-/// Where w lies beside the edge from u to v, on a grid of the three.
+/// The position of w beside the edge from u to v, on a grid of the three.
 struct Beside {
   Big along, whole;  ///< the product of w - u and of v - u with v - u
   Big off_squared;   ///< the square of the product of w - u and v - u across
@@ -47,7 +47,7 @@ bool clearly_far(const Point3& u, const Point3& v, const Point3& w) {
 
 bool between(const Beside& b) { return sign(b.along) > 0 && b.along < b.whole; }
 
-/// Within the box of u and v, and neither of them.
+/// Whether w is within the box of u and v, and neither of them.
 bool in_box(const Point3& u, const Point3& v, const Point3& w) {
   const auto within = [](double a, double b, double x) { return std::min(a, b) <= x && x <= std::max(a, b); };
   return within(u.x, v.x, w.x) && within(u.y, v.y, w.y) && within(u.z, v.z, w.z) && w != u && w != v;
@@ -86,7 +86,7 @@ class OpenEdges {
     std::sort(open_.begin(), open_.end());
   }
 
-  /// In the order of faces, and of each in its order.
+  /// The open half-edges in the order of faces, and those of each face in its order.
   const std::vector<std::uint32_t>& open() const { return open_; }
   const HalfEdges& edges() const { return edges_; }
 
@@ -125,7 +125,7 @@ class OpenEdges {
     return box;
   }
 
-  /// Of positions on one line.
+  /// The order of positions on one line.
   bool order(std::uint32_t a, std::uint32_t b, std::uint32_t from, std::uint32_t to) const {
     const auto key = [&](std::uint32_t v) { return std::tie(at(v).x, at(v).y, at(v).z); };
     return key(from) < key(to) ? key(a) < key(b) : key(b) < key(a);

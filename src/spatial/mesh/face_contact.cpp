@@ -27,7 +27,7 @@ struct SplitFace {
   }
 };
 
-/// Where a point of a face's plane lies, or the crossing of a line with it: on which side of a triangle's edges.
+/// The part of a triangle in which a point of a face's plane lies, or the crossing of a line with it.
 enum class Position { outside, corner, edge, inside };
 
 struct EdgePosition {
@@ -35,7 +35,7 @@ struct EdgePosition {
   std::uint32_t from = 0;  ///< the first vertex of the edge
 };
 
-/// By the signs of turns around a triangle's edges.
+/// The position that the signs of turns around a triangle's edges determine.
 EdgePosition position_of(const SplitFace& face, const Triangle& t, const std::array<int, 3>& signs) {
   const auto [least, most] = std::minmax_element(signs.begin(), signs.end());
   if (*least * *most < 0) return {};
@@ -87,7 +87,7 @@ class ContactSearch {
     return orient3_sign(at(plane[0]), at(plane[1]), at(plane[2]), at(v));
   }
 
-  /// Where an edge whose ends lie on both sides of a triangle's plane runs through it.
+  /// The position at which an edge whose ends lie on both sides of a triangle's plane runs through it.
   EdgePosition crossing(const SplitFace& face, const Triangle& t, std::uint32_t u, std::uint32_t v) const {
     std::array<int, 3> signs{};
     for (std::size_t k = 0; k < 3; ++k) signs[k] = orient3_sign(at(u), at(v), at(t[k]), at(t[(k + 1) % 3]));

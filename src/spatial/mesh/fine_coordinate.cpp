@@ -9,7 +9,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// Below this an interval about 0 holds what is left.
+/// The exponent below which an interval about 0 holds what is left.
 constexpr int kLeastExponent = -900;
 
 /// All of at most 2^exponent.

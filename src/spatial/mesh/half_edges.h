@@ -45,7 +45,7 @@ void for_each_edge(const std::vector<EdgeSide>& sides, F f) {
 }
 void join_twins(HalfEdges& edges, const std::vector<EdgeSide>& sides);
 
-/// With twins.
+/// The half-edges of faces, with their twins.
 HalfEdges half_edges(const std::vector<Face>& faces);
 
 /// Numbers the sets of faces that are connected by twins, in the order of their first faces.

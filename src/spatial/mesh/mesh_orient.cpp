@@ -120,7 +120,7 @@ ShellFates as_cavities(const std::vector<int>& signs, const std::vector<std::vec
   return fates;
 }
 
-/// By the winding number on both sides of every shell.
+/// The fates of shells by the winding number on both sides of every shell.
 ShellFates as_bodies(std::vector<int> signs, const std::vector<std::vector<std::uint32_t>>& around,
                      const ShellRepairs& repairs) {
   ShellFates fates{std::vector<bool>(signs.size()), std::vector<bool>(signs.size()), std::vector<bool>(signs.size())};

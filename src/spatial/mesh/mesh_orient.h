@@ -1,4 +1,4 @@
-// Which way faces and shells run, made right: a part of the named repair.
+// The orientation of faces and shells, made right: a part of the named repair.
 #pragma once
 
 #include <cstdint>

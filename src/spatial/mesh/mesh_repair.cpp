@@ -157,7 +157,7 @@ class MeshRepair {
     log_.counts.largest_gap = std::max(log_.counts.largest_gap, splits.largest_gap);
   }
 
-  /// Before edges are split: what lies along a crack may be near its other side's edges, too.
+  /// Closes cracks before edges are split: what lies along a crack may be near its other side's edges, too.
   void close_cracks_of_faces() {
     const ClosedCracks cracks = close_cracks(data_.vertices, data_.faces, options_.crack_width);
     log_.counts.cracks = cracks.merged.size();

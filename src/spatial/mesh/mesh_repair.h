@@ -23,7 +23,7 @@ Result<PreparedSurface> prepared_surface(MeshData data, const MeshRepairOptions&
 /// Whether a repair may be made.
 bool allows(const MeshRepairOptions& options, MeshRepairKind kind);
 
-/// Where the first ones of every kind were repaired.
+/// The positions at which the first ones of every kind were repaired.
 class RepairMarks {
  public:
   RepairMarks() = default;

@@ -19,7 +19,7 @@ constexpr std::size_t kMostEdges = 64;
 
 double apart(const Point3& a, const Point3& b) { return base::hypot3(a.x - b.x, a.y - b.y, a.z - b.z); }
 
-/// Of the box around all vertices that faces use.
+/// The diagonal of the box around all vertices that faces use.
 double diagonal(const std::vector<Point3>& vertices, const std::vector<Face>& faces) {
   bool any = false;
   Point3 low, high;

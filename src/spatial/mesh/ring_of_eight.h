@@ -1,4 +1,4 @@
-// Across which edge's arc a circle leaves a cell, for cells of at most eight edges: all sides at once, in floats.
+// The edge across whose arc a circle leaves a cell, for cells of at most eight edges: all sides at once, in floats.
 #pragma once
 
 #include <array>

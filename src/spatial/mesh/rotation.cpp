@@ -45,7 +45,7 @@ void reduce(std::array<i128, 4>& q) {
     for (i128& c : q) c /= d;
 }
 
-// To components of at most kMost: each changes by at most one half after a scaling that keeps the direction.
+// Rounds to components of at most kMost: each changes by at most one half after a scaling that keeps the direction.
 std::array<i128, 4> rounded(std::array<i128, 4> q) {
   const i128 most = magnitude(q);
   if (most <= kMost) return q;

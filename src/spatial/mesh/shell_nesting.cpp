@@ -29,7 +29,8 @@ int passage(const Point3& a, const Point3& b, const Point3& c, const Point3& p) 
       perturbed_side(c2, a2, p2) != facing) {
     return 0;
   }
-  // In front of a face whose normal has the sign `facing` along x: behind p, along the ray, lies the face.
+  // The face, whose normal has the sign `facing` along x, counts if p is in front of it: then it lies after p along the
+  // ray.
   return exact::orient3_sign(a, b, c, p) * facing > 0 ? facing : 0;
 }
 
@@ -44,7 +45,7 @@ class PassageOfCentres {
     const Point3Big a = tripled(points_[t[0]]) - p, b = tripled(points_[t[1]]) - p, c = tripled(points_[t[2]]) - p;
     const int facing = sign((b - a).y * (c - a).z - (b - a).z * (c - a).y);
     if (facing == 0 || side(a, b) != facing || side(b, c) != facing || side(c, a) != facing) return 0;
-    // Of det(b - a, c - a, p - a), p being the origin.
+    // The sign is that of det(b - a, c - a, p - a), p being the origin.
     return -sign(exact::determinant(a, b, c)) * facing > 0 ? facing : 0;
   }
 
@@ -53,7 +54,7 @@ class PassageOfCentres {
 
   static Point3Big plus(const Point3Big& a, const Point3Big& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   static Point3Big tripled(const Point3Big& a) { return plus(plus(a, a), a); }
-  /// As perturbed_side, of the origin.
+  /// The value of perturbed_side for the origin.
   static int side(const Point3Big& a, const Point3Big& b) {
     if (const int s = sign(a.y * b.z - a.z * b.y)) return s;
     if (a.z != b.z) return a.z < b.z ? -1 : 1;
@@ -63,7 +64,8 @@ class PassageOfCentres {
   std::vector<Point3Big> points_;
 };
 
-/// Where the ray from a shell starts: a vertex of its own, or, where it shares all of them, the centre of a triangle.
+/// The position from which the ray of a shell starts: a vertex of its own, or, where it shares all of them, the centre
+/// of a triangle.
 struct RayStart {
   std::optional<std::uint32_t> vertex;
   std::uint32_t triangle = 0;

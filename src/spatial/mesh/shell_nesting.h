@@ -1,5 +1,5 @@
-// Which shells lie inside which: the depth of a shell is the number of others around it. A solid's shells run outward
-// where the depth is even, and inward, around a cavity, where it is odd.
+// The nesting of shells: the depth of a shell is the number of others around it. A solid's shells run outward where the
+// depth is even, and inward, around a cavity, where it is odd.
 #pragma once
 
 #include <cstdint>

@@ -63,7 +63,7 @@ bool meet(const Segment& s, const Corners& t) {
   return *least * *most >= 0;
 }
 
-/// Near the point in which the segment meets the triangle's plane.
+/// A position near the point in which the segment meets the triangle's plane.
 Point3 position(const Segment& s, const Corners& t) {
   const auto as_vector = [](const Point3& p) { return Vec3{p.x, p.y, p.z}; };
   const Vec3 p = as_vector(s.p), d = as_vector(s.q) - p, a = as_vector(t.a);
@@ -108,7 +108,7 @@ class MeetingSearch {
   }
 
  private:
-  // Which sides of a triangle are edges of its face; the others run through its inside.
+  // Marks the sides of triangles that are edges of their faces; the others run through its inside.
   void mark_edges() {
     std::vector<std::uint32_t> next(data_.vertices.size());
     for (std::size_t t = 0, f = data_.faces.size(); t < triangles_.triangles.size(); ++t) {
@@ -151,7 +151,7 @@ class MeetingSearch {
            side == orient3_sign(plane.a, plane.b, plane.c, t.c);
   }
 
-  /// Without a common vertex any common point is too much: on a side of one of the two.
+  /// A common point of triangles without a common vertex, on a side of one of the two: any is too much.
   std::optional<Point3> apart_meeting(const Triangle& s, const Triangle& t) const {
     const Corners a = corners(s), b = corners(t);
     if (one_side(a, b) || one_side(b, a)) return std::nullopt;
@@ -163,7 +163,8 @@ class MeetingSearch {
     return std::nullopt;
   }
 
-  /// With one common vertex: from it, what they also share leads to the opposite side of one of the two.
+  /// A common point of triangles with one common vertex: from that, what they also share leads to the opposite side of
+  /// one of the two.
   std::optional<Point3> vertex_meeting(const Triangle& s, std::uint32_t k, const Triangle& t, std::uint32_t l) const {
     const Corners a = corners(s), b = corners(t);
     const Segment opposite_s{at(s[(k + 1) % 3]), at(s[(k + 2) % 3])},
@@ -174,8 +175,8 @@ class MeetingSearch {
     return std::nullopt;
   }
 
-  /// With two common vertices, the corners k and l being the others: it has to be an edge of both faces, and they may
-  /// not lie on each other.
+  /// A common point of triangles with two common vertices, the corners k and l being the others: the edge between the
+  /// common ones has to be an edge of both faces, and they may not lie on each other.
   std::optional<Point3> edge_meeting(std::uint32_t i, std::uint32_t k, std::uint32_t j, std::uint32_t l) const {
     const Triangle &s = triangles_.triangles[i], &t = triangles_.triangles[j];
     const Point3 &u = at(s[(k + 1) % 3]), &v = at(s[(k + 2) % 3]), &a = at(s[k]), &b = at(t[l]);

@@ -1,6 +1,6 @@
-// After de Berg, Cheong, van Kreveld, Overmars: Computational Geometry, sections 3.2 and 3.3. At a position where rings
-// touch, edges are joined anew so that every corner is a whole wedge of the inside; wedges at one position are
-// disjoint.
+// The method is that of de Berg, Cheong, van Kreveld, Overmars: Computational Geometry, sections 3.2 and 3.3. At a
+// position where rings touch, edges are joined anew so that every corner is a whole wedge of the inside; wedges at one
+// position are disjoint.
 #include "spatial/mesh/sweep_triangles.h"
 
 #include <algorithm>
@@ -144,7 +144,7 @@ class Sweep {
     bool operator()(Corner a, Point b) const { return sweep->below(a, b.at); }
   };
   bool below(Corner edge, PositionId at) const { return order_.turn(corners_.at[edge], corners_.to(edge), at) > 0; }
-  /// Of edges that the sweep meets at once.
+  /// The order of edges that the sweep meets at once.
   bool edge_below(Corner a, Corner b) const {
     if (a == b) return false;
     const PositionId from_a = corners_.at[a], from_b = corners_.at[b];
@@ -297,7 +297,7 @@ class PieceSplitter {
       if (!order_.before(steps_[k - 1].at, steps_[k].at)) throw NotSimple{};
   }
 
-  /// Of two steps of one way and a later one: whether these are a triangle inside.
+  /// Whether two steps of one chain and a later one are a triangle inside.
   bool add(PositionId a, PositionId b, PositionId c, bool lower) {
     if (!lower) std::swap(a, b);
     if (order_.turn(a, b, c) <= 0) return false;

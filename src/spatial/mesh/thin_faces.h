@@ -1,4 +1,4 @@
-// Which faces of a mesh bound no volume.
+// The faces of a mesh that bound no volume.
 #pragma once
 
 #include <vector>

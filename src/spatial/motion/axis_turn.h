@@ -22,13 +22,13 @@ class RotationCircle {
   const TurnAxis& axis() const { return axis_; }
   std::int64_t square() const { return square_; }  ///< |axis|^2
   double length() const { return length_; }
-  /// In the chart where |t| is at most about 1 / |axis|.
+  /// The position of a turn in the chart where |t| is at most about 1 / |axis|.
   ChartPosition position(const AxisTurn& turn) const;
   AxisTurn turn(const ChartPosition& position) const;
   ExactPose pose(const ChartPosition& position) const;
-  /// Within 2^-48, in (-pi, 3 pi).
+  /// The angle within 2^-48, in (-pi, 3 pi).
   double radians(int chart, double t) const;
-  /// Where charts meet: at t = reach of chart 0 is t = -other_reach of chart 1, and back.
+  /// The parameter at which charts meet: t = reach of chart 0 is t = -other_reach of chart 1, and back.
   exact::BigRational reach(int chart) const;
 
   /// 1 + square t^2, primitive.

@@ -8,7 +8,7 @@
 
 namespace dymsum::spatial {
 
-/// For every u in [-1, 1], that is every angle of a window, the function is within `rest` of value + slope u.
+/// A function of u that is within `rest` of value + slope u for every u in [-1, 1], that is every angle of a window.
 struct Jet {
   double value = 0, slope = 0, rest = 0;
 
@@ -45,7 +45,7 @@ struct FineJet {
   static FineJet difference(double a, double b) { return {base::exact_sum(b, -a), 0, 0}; }
   double size() const { return std::abs(value.high) * (1 + 0x1p-50); }  ///< at least |value|
   double reach() const { return (std::abs(slope) + rest) * (1 + 0x1p-40); }
-  /// As of a Jet.
+  /// The sign, as that of a Jet.
   int sign() const {
     const double least = std::abs(value.high) * (1 - 0x1p-50);
     return !(least > reach()) ? 0 : value.high > 0 ? 1 : -1;

@@ -108,7 +108,7 @@ typename PreciseFrame<N>::Vector PreciseFrame<N>::difference(Vec3 from, Vec3 to)
   return {N::difference(from.x, to.x), N::difference(from.y, to.y), N::difference(from.z, to.z)};
 }
 
-// As RotationCircle::turned.
+// The vector that RotationCircle::turned makes.
 template <class N>
 typename PreciseFrame<N>::Vector PreciseFrame<N>::placed(int op, const Vector& v, bool weighted) const {
   if (op != pair_.turning) return weighted ? Vector{weight_ * v.x, weight_ * v.y, weight_ * v.z} : v;
@@ -131,7 +131,7 @@ typename PreciseFrame<N>::Vector PreciseFrame<N>::normal(int op, std::uint32_t a
 template class PreciseFrame<FineJet>;
 template class PreciseFrame<exact::WideInterval>;
 
-/// Of degree at most 2; at n / d times d^2.
+/// The value of a form of degree at most 2 at n / d, times d^2.
 RootValue PolynomialFrame::value(exact::Terms terms) const {
   if (!t_ || terms.empty()) return RootValue(std::move(terms), at_);
   const exact::BigInteger n = numerator(*t_), d = denominator(*t_);

@@ -40,7 +40,7 @@ class JetFrame {
     return placed(op, pair_.positions[op][to] - pair_.positions[op][from]);
   }
   Vector position(int op, std::uint32_t v) const { return placed(op, pair_.positions[op][v]); }
-  /// In which a sum lies at all angles.
+  /// A box in which a sum lies at all angles.
   Box box(SumPoint v) const;
   /// The normal of a triangle of an operand.
   Vector normal(int op, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
@@ -148,18 +148,18 @@ class RotationSigns {
     return f.reversed ? Vector{-n.x, -n.y, -n.z} : n;
   }
 
-  /// Of a triangle's normal times a way. Degree 2.
+  /// The form of a triangle's normal times a direction. Degree 2.
   Number slant(int op, const Triangle& t, DirectionSource d) const {
     return dot(f_.normal(op, t[0], t[1], t[2]), direction(d));
   }
-  /// Of a sum over a plane. Degree 2.
+  /// The form of the height of a sum over a plane. Degree 2.
   Number side(const SidedPlane& f, SumPoint v) const { return dot(f.normal, between(f.at, v)); }
   /// How two edges of sums pass: det(a, b, from a to b). Degree 2.
   Number twist(const SumEdge& a, const SumEdge& b) const {
     return dot(cross(along(a), along(b)), between(a.from, b.from));
   }
   Number rise(const SidedPlane& f, const SumEdge& e) const { return dot(f.normal, along(e)); }
-  /// Where edge e meets f and g: g's parameter along e less f's, times both rises. Degree at most 4.
+  /// The order in which edge e meets f and g: g's parameter along e less f's, times both rises. Degree at most 4.
   Number order(const SumEdge& e, const SidedPlane& f, const SidedPlane& g) const {
     return side(f, e.from) * rise(g, e) - side(g, e.from) * rise(f, e);
   }
@@ -184,7 +184,7 @@ class RotationSigns {
     const Vector zero = between(v, v);
     return {v, zero, Frame::one()};
   }
-  /// Of edge a where it passes edge b.
+  /// The position of edge a where it passes edge b.
   Position at(const SumEdge& a, const SumEdge& b) const {
     const Vector d = along(a), e = along(b), n = cross(e, cross(d, e));
     return {a.from, scaled(dot(n, between(a.from, b.from)), d), dot(n, d)};
@@ -202,7 +202,7 @@ class RotationSigns {
   }
   /// The direction into a facet across a facet edge, in a plane of this normal; facet edges are counter-clockwise.
   Vector inward(const Vector& n, const SumEdge& facet_edge) const { return cross(n, along(facet_edge)); }
-  /// On which side of a facet edge that begins at `from` a position lies: positive inside.
+  /// The side of a facet edge that begins at `from` on which a position lies: positive inside.
   Number inside(const Vector& inward, SumPoint from, const Position& at) const {
     return dot(inward, at.x) - at.w * dot(inward, between(at.origin, from));
   }

@@ -43,12 +43,12 @@ class ScalingPair {
   const BigVector& exact_moved(SumPoint c) const { return moving_ == 0 ? exact_[0][c.p] : exact_[1][c.q]; }
   const std::vector<Vec3>& positions(int op) const { return positions_[static_cast<std::size_t>(op)]; }
   const std::vector<BigVector>& exact_positions(int op) const { return exact_[static_cast<std::size_t>(op)]; }
-  /// At least the largest coordinate of an operand.
+  /// A bound that is at least the largest coordinate of an operand.
   double reach(int op) const { return reach_[static_cast<std::size_t>(op)]; }
-  /// At least the largest coordinate of any sum at scales up to s.
+  /// A bound that is at least the largest coordinate of any sum at scales up to s.
   double span(double s) const { return reach_[1 - moving_] + s * reach_[moving_]; }
 
-  /// From one vertex of an operand to another.
+  /// The vector from one vertex of an operand to another.
   BigVector along(const DirectionSource& direction) const;
   MovingPlane plane(const PlaneSource& source) const;
   /// The pose of either operand at a scale.

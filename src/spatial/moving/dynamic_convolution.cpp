@@ -67,8 +67,8 @@ double DynamicConvolution::motion(const PosePair& from, const PosePair& to) cons
                        relative_rotation(to.p.rotation, to.q.rotation));
 }
 
-/// At least the angle by which any direction or normal of one operand moves as the other one sees it, on a path on
-/// which it moves no further.
+/// A bound that is at least the angle by which any direction or normal of one operand moves as the other one sees it,
+/// on a path on which it moves no further.
 double DynamicConvolution::motion_to(const PosePair& poses) {
   double motion = 0;
   same_shapes_ = true;

@@ -33,7 +33,7 @@ enum class SkippedCertificate : std::uint8_t {
 
 class DynamicConvolution {
  public:
-  /// At the identity of both. Requires operands without thin parts; the pair has to live as long.
+  /// Starts at the identity of both. Requires operands without thin parts; the pair has to live as long.
   explicit DynamicConvolution(const SolidPair& pair, SkippedCertificate skipped = SkippedCertificate::none);
 
   /// Moves. Exact signs are those of `exact`, the space at the same poses. The facets are those of the reduced
@@ -41,8 +41,8 @@ class DynamicConvolution {
   /// near them; a comparison for each normal. After a long move that of a fresh convolution.
   const ConvolutionWork& set(const PosePair& poses, SpaceOnDemand& exact);
   const ConvolutionWork& work() const { return work_; }
-  /// At least the angle by which directions move from poses to others, and the longest such step that is no fresh
-  /// start.
+  /// A bound that is at least the angle by which directions move from poses to others, and the longest such step that
+  /// is no fresh start.
   double motion(const PosePair& from, const PosePair& to) const;
   double longest_step() const { return 0.5 * std::min(reach_[0], reach_[1]); }
 

@@ -9,7 +9,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// Of size about one, whatever the size of the integers. Relative errors of components below 2^-51.
+/// A vector of size about one, whatever the size of the integers. The relative errors of components below 2^-51.
 template <class T>
 Vec3 scaled_doubles(const exact::Vector3<T>& v) {
   if constexpr (std::is_same_v<T, exact::Big>) {

@@ -41,7 +41,7 @@ class GaussSide {
   std::vector<Vec3> rays;  ///< as solid.rays
 
   const Wedge& wedge(std::uint32_t convex_edge) const { return solid.wedges[convex[convex_edge]]; }
-  /// At most three: the convex edges of a triangle.
+  /// Calls f for the convex edges of a triangle, at most three.
   template <class F>
   void for_each_edge(std::uint32_t triangle, F f) const {
     for (std::uint32_t k = 0; k < 3; ++k)

@@ -94,7 +94,7 @@ class Finder {
     return {centre, length(centre - nearest(centre)) * (1 - 0x1p-20) - margin_};
   }
 
-  /// By a ray; one that passes too near an edge says nothing.
+  /// Whether x is inside, by a ray; one that passes too near an edge says nothing.
   bool is_inside(Vec3 x) const {
     bool inside = false;
     for (const Triangle& t : solid_.triangles) {

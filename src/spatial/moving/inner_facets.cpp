@@ -75,12 +75,12 @@ bool InnerFacets::hold(std::uint32_t slot, const SumFacet& facet) {
   return covers(pair, facet);
 }
 
-/// From the best pairs of those that stand for all others.
+/// Searches from the best pairs of those that stand for all others.
 InnerFacets::BallPair InnerFacets::search(Vec3 x) {
   constexpr std::size_t kStarts = 4;
   std::array<std::pair<double, BallPair>, kStarts> starts;
   starts.fill({std::numeric_limits<double>::infinity(), {0, 0}});
-  // By their powers, many at a time: roots would take longer than all else.
+  // Balls are compared by their powers, many at a time: roots would take longer than all else.
   powers_.resize(some_.x.size());
   for (std::size_t k = 0; k < powers_.size(); ++k) {
     const double dx = x.x - some_.x[k], dy = x.y - some_.y[k], dz = x.z - some_.z[k], r = some_.radius[k];

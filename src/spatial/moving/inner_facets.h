@@ -1,5 +1,5 @@
-// Which facets of a convolution in motion lie deep inside the open sum, each proved by a ball of P plus one of Q, that
-// is looked for from the pair that proved it at the frame before.
+// The facets of a convolution in motion that lie deep inside the open sum, each proved by a ball of P plus one of Q,
+// that is looked for from the pair that proved it at the frame before.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ class InnerFacets {
  public:
   explicit InnerFacets(const SolidPair& pair);
 
-  /// At the poses of a space, which has to live until the next call.
+  /// Moves to the poses of a space, which has to live until the next call.
   void move(const PosedSpace& at, const PosePair& poses);
   /// A facet in a slot is a new one.
   void forget(std::uint32_t slot) {

@@ -20,7 +20,7 @@ struct Meeting {
   friend auto operator<=>(const Meeting&, const Meeting&) = default;
 };
 
-/// Of every face with every other one at each edge, sorted.
+/// The meetings of every face with every other one at each edge, sorted.
 std::vector<Meeting> meetings(const SpatialSum& sum) {
   const auto contact = [&](std::uint32_t f) { return SolidContact{sum.faces[f].p, sum.faces[f].q}; };
   std::vector<Meeting> all;

@@ -40,7 +40,8 @@ class PoseBatch {
     if (failure_) std::rethrow_exception(failure_);
     return std::move(works_);
   }
-  /// Between the stages of a sum: the caller is queried by one thread at a time, with the fraction of all poses.
+  /// Whether to go on, between the stages of a sum: the caller is queried by one thread at a time, with the fraction of
+  /// all poses.
   bool go_on() {
     const std::lock_guard lock(mutex_);
     if (!failure_ && !queried()) failure_ = std::make_exception_ptr(Cancelled{});

@@ -12,7 +12,7 @@ inline std::uint64_t mixed(std::uint64_t h, std::uint64_t v) {
   h ^= h >> 31, h *= 0x7fb5d329728ea185ULL, h ^= h >> 27, h *= 0x81dadef4bc2dd44dULL;
   return h ^ (h >> 33);
 }
-/// Of values in any order, which it sorts.
+/// A hash of values in any order, which it sorts.
 inline std::uint64_t mixed_list(std::uint64_t seed, std::vector<std::uint64_t>& values) {
   std::sort(values.begin(), values.end());
   for (const std::uint64_t v : values) seed = mixed(seed, v);

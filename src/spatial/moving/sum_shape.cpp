@@ -13,7 +13,7 @@ namespace {
 using Names = std::vector<std::uint64_t>;
 using Loops = std::vector<std::vector<std::uint32_t>>;
 
-/// Of a cyclic list, wherever it begins.
+/// A hash of a cyclic list, wherever it begins.
 std::uint64_t cyclic_hash(const Names& ring) {
   const std::size_t n = ring.size();
   std::size_t i = 0, j = 1, k = 0;

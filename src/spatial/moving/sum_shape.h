@@ -34,7 +34,7 @@ struct ShapeChange {
   bool visible = false;   ///< the structures before, at or after differ
   bool topology = false;  ///< the topologies do
 };
-/// At an event; `at` is empty where the sum cannot be had there.
+/// The change at an event; `at` is empty where the sum cannot be had there.
 ShapeChange change_of(const SumShape& before, const std::optional<SumShape>& at, const SumShape& after);
 
 }  // namespace dymsum::spatial

@@ -31,8 +31,8 @@ class Tracer {
  private:
   bool is_boundary(std::uint32_t h) const { return inside_[h] && !inside_[h ^ 1]; }
 
-  /// From edge to edge through what is taken at the point between them: the parts that meet there in a point only
-  /// stay apart.
+  /// Follows a ring from edge to edge through what is taken at the point between them: the parts that meet there in a
+  /// point only stay apart.
   void follow(std::uint32_t start) {
     std::vector<std::uint32_t> path;
     std::unordered_map<PointId, std::size_t> length_at;  // of the path up to a point

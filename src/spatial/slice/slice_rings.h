@@ -13,7 +13,7 @@ namespace dymsum::spatial {
 std::vector<std::vector<std::uint32_t>> rings_around(const PlaneCells& cells,
                                                      const std::function<bool(std::uint32_t cell)>& taken);
 
-/// Where a half-edge begins.
+/// The point at which a half-edge begins.
 inline PointId start_of(const PlaneCells& cells, std::uint32_t half_edge) {
   const CellEdge& e = cells.edges[half_edge / 2];
   return half_edge & 1 ? e.b : e.a;

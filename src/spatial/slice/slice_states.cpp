@@ -35,7 +35,7 @@ PointSource crossing(PlaneId a, PlaneId b, PlaneId c) {
   return {PointSource::Kind::planes, planes[0], planes[1], planes[2]};
 }
 
-/// By cut. O(n) exact hashes for n cuts.
+/// The line of each cut. O(n) exact hashes for n cuts.
 std::unordered_map<PlaneId, CutLine> cut_lines(const SlicePlane& plane) {
   std::unordered_map<PlaneId, CutLine> lines;
   std::array<PlaneId, 4> facet_edge{};

@@ -1,4 +1,4 @@
-// Which cells, edges and points of a slice lie in the sum.
+// The cells, edges and points of a slice that lie in the sum.
 #pragma once
 
 #include <vector>

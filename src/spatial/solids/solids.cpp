@@ -183,7 +183,7 @@ Mesh rod(int slices, int stacks, double radius, double length, double snap) {
 Mesh triakis_icosahedron(double radius, double snap) {
   require(radius > 0, "triakis_icosahedron");
   std::vector<Point3> corners = icosahedron();
-  // With edges of length 2 the short edges are (15 - sqrt 5) / 11; an apex stands above a face's centre, which is at
+  // The edges have length 2: the short edges are (15 - sqrt 5) / 11; an apex stands above a face's centre, which is at
   // g^2 / sqrt 3 from the centre and 2 / sqrt 3 from the corners.
   const double g = golden_ratio(), edge = (15 - std::sqrt(5.0)) / 11;
   const double distance = g * g / std::sqrt(3.0) + std::sqrt(edge * edge - 4.0 / 3);

@@ -1,4 +1,4 @@
-// Where a loop of a face begins.
+// The vertex at which a loop of a face begins.
 #pragma once
 
 #include <cstdint>

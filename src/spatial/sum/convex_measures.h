@@ -9,7 +9,7 @@
 
 namespace dymsum::spatial {
 
-/// Of sums that are SpatialSum::is_convex. O(n).
+/// The exact volume of a sum that is SpatialSum::is_convex. O(n).
 exact::BigRational convex_volume(const SpatialSum& sum);
 LengthSum convex_surface(const SpatialSum& sum);
 

@@ -20,7 +20,7 @@ struct ExactSet {
   std::vector<ExactPosition> at;  ///< of every vertex
 };
 
-/// Of doubles.
+/// The set whose vertices are doubles.
 ExactSet exact_set(MeshData set, std::vector<bool> thin = {});
 /// The regular part of a sum, in triangles.
 ExactSet exact_set(const SpatialSum& sum);

@@ -8,8 +8,8 @@
 
 namespace dymsum::spatial {
 
-/// Which cells belong to what is put together, and the side from which it is seen: 0 for cells that do not, 1 for the
-/// normal's side, -1 for the other one.
+/// The cells that belong to what is put together, and the side from which it is seen: 0 for cells that do not, 1 for
+/// the normal's side, -1 for the other one.
 struct Selection {
   std::vector<std::int8_t> side;
 };

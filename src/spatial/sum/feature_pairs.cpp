@@ -156,7 +156,7 @@ int FeaturePairs::side_of_facet_edge(const TableFacet& facet, int facet_edge, Po
   const Vec3 w = p.at - from;
   const double v = dot(normal, cross(d, w));
   const double size = std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + 4 * space_.sum_radius();
-  // Of a short facet edge the ends' own errors count most: they are off by twice the radius.
+  // The error of a short facet edge: the ends' own errors count most: they are off by twice the radius.
   const double error = size * (space_.span() * 0x1p-46 + 4 * p.radius + 16 * space_.sum_radius()) +
                        8 * space_.sum_radius() * (std::abs(w.x) + std::abs(w.y) + std::abs(w.z));
   if (v > error) return 1;

@@ -1,4 +1,4 @@
-// Which features of the operands touch on the faces, along the edges and at the points of a sum.
+// The features of the operands that touch on the faces, along the edges and at the points of a sum.
 #pragma once
 
 #include <optional>
@@ -32,8 +32,8 @@ class FeaturePairs {
   std::optional<SolidContact> of_edge(PointId a, PointId b) const;
   /// Two vertices with that sum, or an edge and a vertex; none where three faces cross.
   std::optional<SolidContact> of_point(PointId at) const;
-  /// Of all facets that hold a point, and what is near it on the way to another one, sorted. O(log n + k) for k facets
-  /// near the point.
+  /// The contacts of all facets that hold a point, and of what is near it on the way to another one, sorted. O(log n +
+  /// k) for k facets near the point.
   std::vector<SolidContact> of_facets_at(PointId at) const { return of_facets_along(at, at); }
   std::vector<SolidContact> of_facets_along(PointId at, PointId to) const;
 

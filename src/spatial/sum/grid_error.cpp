@@ -29,7 +29,7 @@ struct Finest {
   }
 };
 
-/// Of coordinates in units of 2^exponent.
+/// The bits of coordinates in units of 2^exponent.
 int bits_of(const std::vector<Point3>& vertices, double Point3::*axis, int exponent) {
   const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end(),
                                                [&](const Point3& a, const Point3& b) { return a.*axis < b.*axis; });

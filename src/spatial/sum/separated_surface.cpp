@@ -88,7 +88,7 @@ class Separation {
     }
     return false;
   }
-  /// Where it failed.
+  /// The position at which it failed.
   const Point3& position() const { return position_; }
 
   SpatialSum::Rounded result() const;
@@ -333,7 +333,7 @@ Meetings Separation::meetings() {
   return found;
 }
 
-/// Of everything near where two parts meet, the nearest goes first; nothing is touched twice.
+/// Moves apart what is near where two parts meet: the nearest goes first; nothing is touched twice.
 void Separation::resolve(const Meetings& meetings) {
   std::set<Near> found;
   met_.clear();

@@ -38,7 +38,8 @@ void find_cells(SolidBoundary& boundary, SpatialStats& stats, StageWatch& watch)
 /// planes.
 std::uint64_t table_bytes(std::size_t facets);
 
-/// Across the sum, for so many facets: few boxes are many times faster than the facets that they save.
+/// The number of inner boxes across the sum, for so many facets: few boxes are many times faster than the facets that
+/// they save.
 int inner_boxes_across(std::size_t facets);
 
 /// A position off the facets, infinitely near to a cell: in front of it for side 1 or -1 (of the plane's normal),

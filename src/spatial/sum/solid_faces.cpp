@@ -62,7 +62,7 @@ class Assembler {
     return static_cast<std::int8_t>(side);
   }
 
-  /// Of b's position less a's, by x, y, z.
+  /// The sign of b's position less a's, by x, y, z.
   int order(PointId a, PointId b) const {
     if (a == b) return 0;
     const Approx &u = arrangement_.points.approx(a), &v = arrangement_.points.approx(b);
@@ -75,7 +75,7 @@ class Assembler {
     return 0;
   }
 
-  /// By x, y, z: by the doubles of x first, then intervals in which these do not decide.
+  /// Sorts by x, y, z: by the doubles of x first, then intervals in which these do not decide.
   void sort_points(std::vector<PointId>& points) const {
     struct Key {
       double x;
@@ -166,7 +166,7 @@ class Assembler {
     return length(n);
   }
 
-  /// Where a face is asked what touches there: at its first vertex, beside its first edge.
+  /// The position at which the contacts of a face are requested: at its first vertex, beside its first edge.
   FeaturePairs::Position position_of(const std::vector<std::vector<std::uint32_t>>& loops, const PlaneGroup& group,
                                      int side) const {
     return {group, point_of_[loops[0][0]], point_of_[loops[0][1]], side};

@@ -12,8 +12,8 @@ SolidFeature spanned(const SolidFeature& a, const SolidFeature& b) {
   return {SolidFeature::Kind::edge, std::min(a.a, b.a), std::max(a.a, b.a)};
 }
 
-/// Along an edge of a convex sum, between vertices at which vertices touch, one edge touches a vertex, or two parallel
-/// edges touch.
+/// The contact along an edge of a convex sum, between vertices at which vertices touch, one edge touches a vertex, or
+/// two parallel edges touch.
 SolidContact between(const SolidContact& a, const SolidContact& b) { return {spanned(a.p, b.p), spanned(a.q, b.q)}; }
 
 /// Calls f(a, b, face) for all sides of faces, from a vertex to a larger one.
@@ -36,7 +36,7 @@ std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces) {
     std::uint32_t to, face;
     auto operator<=>(const Side&) const = default;
   };
-  // By the smaller ends, then at each of these.
+  // Edges are listed by their smaller ends, then at each of these.
   std::vector<std::uint32_t> begin(1, 0);
   for_each_side(faces, [&](std::uint32_t a, std::uint32_t, std::uint32_t) {
     if (begin.size() < a + std::size_t{2}) begin.resize(a + std::size_t{2}, 0);

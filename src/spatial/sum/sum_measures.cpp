@@ -93,8 +93,8 @@ std::size_t triangle_count(const SpatialSum& sum) {
   return count;
 }
 
-/// With coordinates X off by less than 1, each of the six products of a determinant is off by less than
-/// 3 (max |X| + 1)^2.
+/// The range of the volume. With coordinates X off by less than 1, each of the six products of a determinant is off by
+/// less than 3 (max |X| + 1)^2.
 Range volume_range(const SpatialSum& sum, const std::array<int, 3>& size, int bits) {
   const Multiples m(sum, {bits - size[0], bits - size[1], bits - size[2]});
   const BigInteger reach = m.largest + 1;
@@ -165,8 +165,8 @@ std::array<BigInteger, 4> lowest(std::array<BigInteger, 4> p) {
   return p;
 }
 
-/// In units of one power of two, the largest in any weight, whose exponent is returned: what is left of the weights is
-/// odd.
+/// Brings all to units of one power of two, the largest in any weight, whose exponent is returned: what is left of the
+/// weights is odd.
 int leave_odd(std::vector<std::array<BigInteger, 4>>& at) {
   unsigned twos = 0;
   for (const auto& v : at) twos = std::max(twos, static_cast<unsigned>(lsb(v[3])));
@@ -277,8 +277,8 @@ std::optional<BigRational> rational_area(const SpatialSum& sum) {
   return total / 2;
 }
 
-/// As narrow_volume. The loop ends: positive roots of rationals with a rational sum are rational, and any other number
-/// has a distance from every position where its rounding changes.
+/// Narrows as narrow_volume does. The loop ends: positive roots of rationals with a rational sum are rational, and any
+/// other number has a distance from every position where its rounding changes.
 void narrow_area(const SpatialSum& sum, const std::function<bool(const Range&)>& decide) {
   if (sum.faces.empty()) {
     decide({0, 0});

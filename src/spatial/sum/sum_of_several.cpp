@@ -32,7 +32,8 @@ struct Term {
 };
 
 const BigInteger kWhole = 1;
-// Beyond, multiples of a unit of 1 / scale are more than a double's digits apart from the unit itself.
+// The largest scale. Beyond it, multiples of a unit of 1 / scale are more than a double's digits apart from the unit
+// itself.
 const BigInteger kLargestScale = BigInteger(1) << 52;
 
 /// The double that a number is, or nothing.

@@ -6,8 +6,8 @@
 
 namespace dymsum::spatial {
 
-/// As minkowski_sum, for surfaces that also may have edges with more than two faces and vertices with several fans, as
-/// long as they are closed, oriented, and cross nowhere.
+/// The sum that minkowski_sum makes, for surfaces that also may have edges with more than two faces and vertices with
+/// several fans, as long as they are closed, oriented, and cross nowhere.
 Result<SpatialSum> sum_of_solids(const MeshData& p, const MeshData& q, const SpatialOptions& options);
 /// The same, of meshes that may have thin parts.
 Result<SpatialSum> sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options);

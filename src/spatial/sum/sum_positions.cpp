@@ -11,7 +11,7 @@ using exact::BigInteger;
 
 namespace {
 
-/// As SpatialPositions::homogeneous has it.
+/// The position in the form of SpatialPositions::homogeneous.
 std::array<BigInteger, 4> homogeneous_of(const ConvexPositions& positions, std::size_t vertex,
                                          const BigInteger& scale) {
   const BigVector at = positions.numerators(vertex);
@@ -33,7 +33,7 @@ ExactPosition SpatialPositions::at(std::size_t vertex) const {
   return at;
 }
 
-// Without at(), whose fractions in lowest terms cost more than all else of writing a sum.
+// The nearest doubles, without at(), whose fractions in lowest terms cost more than all else of writing a sum.
 Point3 SpatialPositions::rounded(std::size_t vertex) const {
   double result[3];
   if (convex) {

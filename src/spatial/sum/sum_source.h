@@ -16,7 +16,8 @@ namespace dymsum::spatial {
 
 using ExactPosition = std::array<exact::BigRational, 3>;
 
-/// Of the vertices of a sum: common points of planes in a space, or, of convex operands, sums of their vertices.
+/// The positions of the vertices of a sum: common points of planes in a space, or, of convex operands, sums of their
+/// vertices.
 struct SpatialPositions {
   std::shared_ptr<const SumSpace> space;
   std::vector<PointSource> vertices;
@@ -28,8 +29,8 @@ struct SpatialPositions {
   /// The nearest doubles.
   Point3 rounded(std::size_t vertex) const;
 
-  // Where all that counts is how positions lie to each other, they are seen from an origin near the sum, in units of
-  // powers of two along each axis: the grid's.
+  // The position for comparisons with others. All are seen from an origin near the sum, in units of powers of two along
+  // each axis: the grid's.
   /// x, y, z and w > 0: the position is (x, y, z) / w, not in lowest terms.
   std::array<exact::BigInteger, 4> homogeneous(std::size_t vertex) const;
   /// The exponents of the units of homogeneous().

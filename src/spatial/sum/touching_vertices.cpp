@@ -72,11 +72,11 @@ class TouchingVertices {
     return true;
   }
 
-  /// Inside the closed triangle, in whose plane the vertex is seen along an axis across it.
+  /// Whether the closed triangle holds a vertex of its plane, seen along an axis across it.
   bool contains(const Triangle& t, std::uint32_t v) {
     return signs_.side(t[0], t[1], t[2], v) == 0 && sides(t, v).has_value();
   }
-  /// On which sides of the facet edges from corner k to k + 1 the vertex lies: 1 inside, 0 on them; none outside.
+  /// The sides of the facet edges from corner k to k + 1 on which the vertex lies: 1 inside, 0 on them; none outside.
   std::optional<std::array<int, 3>> sides(const Triangle& t, std::uint32_t v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int facing = signs_.turn(t[0], t[1], t[2], axis);

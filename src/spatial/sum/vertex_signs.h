@@ -19,9 +19,9 @@ class VertexSigns {
   /// The sum has to live as long.
   explicit VertexSigns(const SpatialSum& sum) : sum_(sum) {}
 
-  /// Of the component of (b - a) x (c - a) along an axis.
+  /// The sign of the component of (b - a) x (c - a) along an axis.
   int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t axis);
-  /// Of det(b - a, c - a, d - a).
+  /// The sign of det(b - a, c - a, d - a).
   int side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
 
  private:
