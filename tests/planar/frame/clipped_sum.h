@@ -36,17 +36,17 @@ inline bool one_direction(const Segment& a, const Segment& b) {
 
 /// Segments in a row made one.
 inline std::set<Segment> joined(std::set<Segment> list) {
-  bool changed = true;
-  while (changed) {
-    changed = false;
-    for (auto a = list.begin(); a != list.end() && !changed; ++a)
-      for (auto b = list.begin(); b != list.end() && !changed; ++b) {
-        if (a->second != b->first || !one_direction(*a, *b)) continue;
-        const Segment whole{a->first, b->second}, first = *a, second = *b;
+  const auto join_one = [&] {
+    for (const Segment& a : list)
+      for (const Segment& b : list) {
+        if (a.second != b.first || !one_direction(a, b)) continue;
+        const Segment whole{a.first, b.second}, first = a, second = b;
         list.erase(first), list.erase(second), list.insert(whole);
-        changed = true;
+        return true;
       }
-  }
+    return false;
+  };
+  while (join_one()) continue;
   return list;
 }
 

@@ -121,14 +121,14 @@ TEST(SeparatedSurface, sums_and_erosions_in_all_kinds_of_coordinates) {
   EXPECT_GT(merged, 2u);
 }
 
-MeshData ell() { return oracles::voxel_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 2, 0}}); }
+MeshData bent_bar() { return oracles::voxel_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 2, 0}}); }
 
 TEST(SeparatedSurface, a_box_turned_by_30_degrees_and_shrunk_by_a_tenth) {
   std::mt19937_64 random(1);
   const Mesh ball = solids::geodesic_sphere(2, 0.1);
   for (const CoordinateKind kind : {CoordinateKind::turned, CoordinateKind::turned_far}) {
     for (const MeshData& part : {triangulated(solids::box(0, 0, 0, 3, 2, 1)).mesh.data(),
-                                 triangulated(Mesh::create(ell()).value()).mesh.data()}) {
+                                 triangulated(Mesh::create(bent_bar()).value()).mesh.data()}) {
       const Mesh box = Mesh::create(of_kind(part, kind, random)).value();
       for (const Precision precision : {Precision::doubles, Precision::singles}) {
         expect_written(erode(box, ball).value(), precision);
@@ -145,7 +145,7 @@ TEST(SeparatedSurface, an_opening_whose_faces_lie_on_each_other_but_for_rounding
   const Mesh ball = solids::geodesic_sphere(1, 0.1);
   const Mesh parts[2] = {
       Mesh::create(of_kind(solids::geodesic_sphere(2, 1).data(), CoordinateKind::turned, random)).value(),
-      Mesh::create(of_kind(triangulated(Mesh::create(ell()).value()).mesh.data(), CoordinateKind::turned, random))
+      Mesh::create(of_kind(triangulated(Mesh::create(bent_bar()).value()).mesh.data(), CoordinateKind::turned, random))
           .value()};
   for (const Mesh& part : parts)
     for (const Precision precision : {Precision::doubles, Precision::singles})
@@ -155,7 +155,7 @@ TEST(SeparatedSurface, an_opening_whose_faces_lie_on_each_other_but_for_rounding
 TEST(SeparatedSurface, what_is_not_allowed_is_refused_with_the_place) {
   std::mt19937_64 random(1);
   const Mesh p =
-      Mesh::create(of_kind(triangulated(Mesh::create(ell()).value()).mesh.data(), CoordinateKind::turned, random))
+      Mesh::create(of_kind(triangulated(Mesh::create(bent_bar()).value()).mesh.data(), CoordinateKind::turned, random))
           .value();
   std::size_t refused = 0;
   for (const double radius : {0.1, 0.2, 0.3, 0.4, 0.5}) {
