@@ -17,7 +17,8 @@ namespace dymsum::planar {
 struct RingSet {
   std::vector<Ring> rings;
   Fill fill = Fill::positive;
-  /// Of all vertices, ring after ring, where some are no doubles: `rings` has the nearest doubles then. Otherwise none.
+  /// The exact positions of all vertices, ring after ring, where some are no doubles: `rings` has the nearest doubles
+  /// then. Otherwise none.
   std::vector<exact::HomogeneousPoint> fractions;
 };
 

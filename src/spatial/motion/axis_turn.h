@@ -22,7 +22,7 @@ class RotationCircle {
   const TurnAxis& axis() const { return axis_; }
   std::int64_t square() const { return square_; }  ///< |axis|^2
   double length() const { return length_; }
-  /// The position of a turn in the chart where |t| is at most about 1 / |axis|.
+  /// The position of a rotation in the chart where |t| is at most about 1 / |axis|.
   ChartPosition position(const AxisTurn& turn) const;
   AxisTurn turn(const ChartPosition& position) const;
   ExactPose pose(const ChartPosition& position) const;
