@@ -61,7 +61,7 @@ struct ContinuousContact {
   /// Derivatives of `depth` by the translation of Q, and by a turn of Q about its origin if the boundary's normals did
   /// not turn with it (exact for smoothing length 0).
   Point3 gradient, torque;
-  /// The most radians that `normal` turns for a unit of translation of Q, to first order.
+  /// The most radians that `normal` rotates for a unit of translation of Q, to first order.
   double turn_rate = 0;
   double error = 0;  ///< of euclidean_depth, and of the equation that `depth` and `normal` solve
 

@@ -27,7 +27,7 @@ class AxisTurn {
   AxisTurn() = default;  ///< theta = 0
   static AxisTurn of(Rational t) { return AxisTurn(std::move(t), false); }
   static AxisTurn half_turn() { return AxisTurn(0, true); }
-  /// A turn within 2^-40 of the angle, and exact for half turns and, about the axes of coordinates, quarter turns.
+  /// A rotation within 2^-40 of the angle, and exact for half turns and, about the axes of coordinates, quarter turns.
   /// Errors: bad_rotation for an angle that is not finite or an axis that is zero.
   static Result<AxisTurn> nearest(const TurnAxis& axis, double radians);
 

@@ -18,8 +18,8 @@ Progress progress_of(nb::object callable);
 nb::object callable_of(const Progress& progress);
 /// The same Progress with a reference to the callable of its own. With the GIL.
 inline Progress own_progress(const Progress& of) { return progress_of(callable_of(of)); }
-/// For tp_traverse of an object that has `copies` copies of a Progress: visits the callable where nobody else has one,
-/// for the reference to it is one and shared by all copies.
+/// Does the work of tp_traverse for an object that has `copies` copies of a Progress: visits the callable where nobody
+/// else has one, for the reference to it is one and shared by all copies.
 int visit_callable(const Progress& progress, long copies, visitproc visit, void* arg);
 
 /// Slots of a class with a member `progress`, so that the garbage collector sees the callable.

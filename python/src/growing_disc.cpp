@@ -104,7 +104,7 @@ void bind_disc_corner(nb::module_& m) {
       .field("at", &DiscCorner::at, "within DiscSet.at_error");
 }
 
-/// Where the pieces of a ring begin, where they are kept.
+/// The points at which the pieces of a ring begin, viewed in the memory that keeps them.
 PointsView corners_of(const DiscRing& ring, nb::handle owner) {
   static_assert(sizeof(DiscPiece) % sizeof(double) == 0);
   static const Point kNothing;
@@ -260,7 +260,7 @@ True
       "set"_a, "The set over the region it comes from, with true arcs, as SVG text.");
 }
 
-/// With the options it is made of again.
+/// A disc with the options that it is made of again.
 struct GrowingDiscObject {
   GrowingDisc disc;
   GrowingDiscOptions options;

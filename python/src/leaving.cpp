@@ -41,7 +41,7 @@ void count(int by) {
   for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
-/// Without the GIL.
+/// Called without the GIL.
 [[noreturn]] void sleep_until_the_end() {
   count(-t_depth);
   sleep_for_ever();

@@ -1,4 +1,4 @@
-// At which scales a part fits.
+// The scales at which a part fits.
 #include "dymsum/scale_range.h"
 
 #include "arguments.h"

@@ -45,7 +45,7 @@ struct rational_caster {
   bool can_cast() const {
     return true;
   }
-  /// Of what was read: false where one of the numbers is NaN or infinite.
+  /// Whether what was read is finite: false where one of the numbers is NaN or infinite.
   bool is_finite() const {
     return std::none_of(numbers_.begin(), numbers_.end(), [](const dymsum::Result<dymsum::Rational>& number) {
       return !number && number.error().code == dymsum::ErrorCode::not_finite;

@@ -5,7 +5,7 @@
 
 namespace dymsum::depth {
 
-/// The most that a direction turns in a step that is believed, in radians.
+/// The most that a direction rotates in a step that is believed, in radians.
 inline constexpr double kMostTurn = 0.25;
 /// A turn that is believed without a look at its rate.
 inline constexpr double kSmallTurn = 0x1p-5;

@@ -52,7 +52,8 @@ class ContactFinder {
   }
 
  private:
-  // Of a position, times the sizes added up: the scale, the product and the sum, and the sums with the bound itself.
+  // The error of a position, times the sizes added up: the scale, the product and the sum, and the sums with the bound
+  // itself.
   static constexpr double kPositionError = exact::rounding_bound(3 + 2, 8);
   struct Feature {
     Spot from, to;  // equal for a point; from <= to
@@ -69,7 +70,8 @@ class ContactFinder {
     return base_.lattice->points[op]->input[base_.operands[op].source[walk]];
   }
 
-  /// Where walk vertex i of operand `side` and j of the other one put the reference point.
+  /// The position of the reference point where walk vertex i of operand `side` and j of the other one put the reference
+  /// point.
   NearPosition position(std::uint32_t side, std::uint32_t i, std::uint32_t j) const {
     const Point o = input(0, side == 0 ? i : j), r = input(1, side == 0 ? j : i);
     const double size = std::abs(o.x) + std::abs(o.y) + approx_ * (std::abs(r.x) + std::abs(r.y));

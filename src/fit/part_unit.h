@@ -27,7 +27,7 @@ inline std::optional<double> in_unit(double v, int k) {
   return made;
 }
 
-/// From scales of the part in its unit to scales of the part.
+/// Makes scales of the part of scales of the part in its unit.
 template <class Range>
 Range in_input_units(Range range, int k) {
   const exact::BigInteger power = exact::BigInteger(1) << static_cast<unsigned>(std::abs(k));

@@ -13,9 +13,9 @@ using exact::BigRational;
 
 namespace {
 
-// Of the side of a wall's end from a leg, times the span and |leg|_1, where the wall crosses the leg: two points (4
-// each) and their difference; product and difference; and what turns the leg's line about its start where the leg is
-// short, the error of a difference of two ends, as far as the leg is long (4 + 4 + 1).
+// The error of the side of a wall's end from a leg, times the span and |leg|_1, where the wall crosses the leg: two
+// points (4 each) and their difference; product and difference; and what turns the leg's line about its start where the
+// leg is short, the error of a difference of two ends, as far as the leg is long (4 + 4 + 1).
 constexpr double kLegSide = exact::rounding_bound(9 + 2 + 9, 32);
 
 }  // namespace

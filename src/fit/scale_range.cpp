@@ -179,7 +179,7 @@ class AnyPlacement {
     if (!moved) return moved.error();
     return {};
   }
-  /// After move_to(). Free placements are holes of the sum and its tight features.
+  /// Whether the part fits, after move_to(). Free placements are holes of the sum and its tight features.
   bool fits() const {
     return state_->sum.hole_count() + state_->sum.tight_points.size() + state_->sum.tight_segments.size() > 0;
   }
@@ -254,7 +254,7 @@ Result<ScaleRange> range_at(const Region& part, const Region& container, Point a
   if (std::optional<Error> error = check(part, container)) return *std::move(error);
   if (std::optional<Error> error = too_large_to_frame(container, part)) return *std::move(error);
   const BigRational limit = box_limit(part, container);
-  // Inside the frame also at the placement.
+  // The part lies inside the frame also at the placement.
   const Result<Region> tool = frame_tool(part, limit);
   if (!tool) return tool.error();
   const auto b = bounds(*tool);

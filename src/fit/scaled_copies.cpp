@@ -13,7 +13,7 @@ constexpr double kWidestRun = 1.13;   // beyond it windows sweep too much
 constexpr std::size_t kLeastRun = 6;  // a window costs about as much as five sums
 constexpr double kBeyond = 0x1p-20;   // after the last scale of a run, which lies inside the window; any value is right
 
-/// For each of the scales, which ascend strictly, how wide a window its frame may build, relatively; 0: none, as too
+/// How wide a window, for each of the scales, which ascend strictly, its frame may build, relatively; 0: none, as too
 /// few follow closely.
 std::vector<double> planned_windows(const std::vector<double>& scales) {
   std::vector<double> widths(scales.size(), 0);

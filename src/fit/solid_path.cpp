@@ -121,7 +121,7 @@ SolidPath::Critical SolidPath::critical(const std::function<void(double)>& query
   return found;
 }
 
-/// Where facets cross a leg at a scale, from 0 to 1 along it, both included.
+/// The parameters at which facets cross a leg at a scale, from 0 to 1 along it, both included.
 std::vector<BigRational> SolidPath::cuts(std::uint32_t leg, const BigRational& s) const {
   std::vector<BigRational> cuts{0, 1};
   const MovingPlane level = level_plane(s);

@@ -101,14 +101,15 @@ Coordinates coordinates_of(Data data) {
   return all;
 }
 
-/// As snapped_coordinate, but for ties and for what is 2^53 steps away; powers of ten up to 10^9 are doubles.
+/// The coordinate that snapped_coordinate gives, but for ties and for what is 2^53 steps away; powers of ten up to 10^9
+/// are doubles.
 double nearly_snapped(double x, const CoordinateGrid& grid) {
   if (grid.base == 2) return nearest_of_two(x, grid.exponent);
   const double steps = std::pow(10, -grid.exponent);
   return std::nearbyint(x * steps) / steps;
 }
 
-/// Of a grid that enough coordinates are on, or nearly: how many are off. Nothing where they are not.
+/// How many coordinates are off a grid that enough of them are on, or nearly. Nothing where they are not.
 std::optional<std::size_t> noisy_on(const Coordinates& all, const CoordinateGrid& grid) {
   std::size_t noisy = 0, off = 0;
   for (const double x : all.values) {

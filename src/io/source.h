@@ -26,7 +26,7 @@ struct Source {
   std::int64_t line(std::size_t offset) const;
 
   [[noreturn]] void fail(ErrorCode code, std::string message, std::size_t offset, Evidence evidence = {}) const;
-  /// Where bytes are no text: they have no lines, and the message tells the byte.
+  /// Fails where bytes are no text: they have no lines, and the message tells the byte.
   [[noreturn]] void fail_in_bytes(ErrorCode code, std::string message) const;
   [[noreturn]] void fail_on_line(ErrorCode code, std::string message, std::int64_t line, Evidence evidence = {}) const;
 };

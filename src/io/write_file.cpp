@@ -22,7 +22,7 @@ Error cannot_write(const std::string& path, const std::string& what, int error) 
   return {ErrorCode::cannot_write, what + ": " + std::strerror(error), std::move(evidence)};
 }
 
-/// Which is there, but not as a file: it can be written to, not replaced.
+/// Whether something is there that is no file: it can be written to, not replaced.
 bool is_device(const std::filesystem::path& path) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
@@ -30,7 +30,7 @@ bool is_device(const std::filesystem::path& path) {
          !std::filesystem::is_directory(status);
 }
 
-/// Where the file that replaces `path` comes to be.
+/// The words in which a message names the file that is written for `path`.
 std::string where(const std::string& path, const std::filesystem::path& target) {
   return target == path ? "here" : "at " + target.string() + ", where it leads";
 }

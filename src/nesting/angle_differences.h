@@ -8,7 +8,7 @@
 
 namespace dymsum::nesting {
 
-/// In [0, 360).
+/// The angle in [0, 360).
 Rational reduced_angle(const Rational& degrees);
 
 /// All b - a for a of `from` and b of `to`, all in [0, 360), reduced; each once. O(nm) machine operations and, for d

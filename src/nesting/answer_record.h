@@ -9,7 +9,7 @@
 
 namespace dymsum::nesting {
 
-/// To be raised whenever answers of the same key, or their bytes, change.
+/// The format of records, which is to be raised whenever answers of the same key, or their bytes, change.
 inline constexpr std::uint32_t kRecordFormat = 1;
 
 void append_answer(std::string& out, const TableAnswer& answer);

@@ -17,7 +17,7 @@ class PlanningPoll {
   void now(std::string_view stage, std::size_t round, std::size_t rounds) const {
     if (progress_ && !progress_(stage, static_cast<double>(round) / static_cast<double>(rounds))) throw Cancelled{};
   }
-  /// For loops: asks once in 4096 rounds.
+  /// Polls once in 4096 rounds of a loop.
   void at(std::string_view stage, std::size_t round, std::size_t rounds) const {
     if (round % 4096 == 4095) now(stage, round, rounds);
   }

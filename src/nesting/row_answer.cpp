@@ -30,7 +30,7 @@ TableAnswer failed(const Error& error) {
   TableAnswer answer;
   const bool stopped = error.code == ErrorCode::cancelled;
   answer.status = stopped ? TableAnswer::Status::timed_out : TableAnswer::Status::refused;
-  // With its evidence in words: that is all that is kept.
+  // The error has its evidence in words: that is all that is kept.
   if (!stopped) answer.error = Error{error.code, error.to_string(), {}};
   return answer;
 }

@@ -51,7 +51,7 @@ struct Extent {
   BigRational least_x, least_y, most_y;
 };
 
-/// Of the part, turned. R = (d^2 - n^2, -2 n d; 2 n d, d^2 - n^2) / (d^2 + n^2).
+/// The extent of the part, turned. R = (d^2 - n^2, -2 n d; 2 n d, d^2 - n^2) / (d^2 + n^2).
 Extent extent_of(const Region& part, const Orientation& theta) {
   const auto [n, d] = planar::tan_half_of(theta);
   const BigInteger cosine = d * d - n * n, sine = 2 * n * d, w = d * d + n * n;

@@ -1,4 +1,4 @@
-// Where a turned part lies in a strip.
+// The positions of a turned part in a strip.
 #pragma once
 
 #include "nesting/table_plan.h"

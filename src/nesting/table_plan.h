@@ -30,9 +30,9 @@ struct NfpTable::State {
   TableInput input;
   std::vector<base::Digest> item_digests, bin_digests;
   std::vector<TableAngle> angles;
-  /// Of angles that are quarter turns: how many, counter-clockwise.
+  /// How many quarter turns, counter-clockwise, an angle is, where it is a number of them.
   std::vector<std::optional<int>> quarters;
-  /// Of items, turned by 1, 2 and 3 quarters where a row needs that.
+  /// The regions of items, turned by 1, 2 and 3 quarters where a row needs that.
   std::vector<std::array<std::optional<Region>, 4>> turned;
   std::vector<TableRow> rows;
   std::vector<nesting::Key> keys;  ///< by answer; strip fits have none, their answers come last

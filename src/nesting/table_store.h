@@ -13,7 +13,8 @@
 
 namespace dymsum::nesting {
 
-/// Where a process adds to a store: to the first file "shard-I-of-N.K.nfpt", K = 1, 2, ..., that nobody else writes to.
+/// The file by which a process adds to a store: the first file "shard-I-of-N.K.nfpt", K = 1, 2, ..., that nobody else
+/// writes to.
 struct StorePath {
   std::string folder;  ///< empty: nowhere
   std::uint32_t shard = 1, shards = 1;

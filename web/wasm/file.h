@@ -27,7 +27,7 @@ class FileInMemory {
   FileInMemory& operator=(const FileInMemory&) = delete;
   ~FileInMemory();
 
-  /// For the library's readers.
+  /// The file's path, for the library's readers.
   const std::string& path() const { return path_; }
 
  private:

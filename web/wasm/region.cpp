@@ -33,7 +33,7 @@ RegionData data_in(const val& v) {
   return data;
 }
 
-/// As valid, or repaired.
+/// The region as it is, if valid, or repaired.
 Region region_of(RegionData data, bool with_repair) {
   return with_repair ? got(repair(std::move(data))).region : got(Region::create(std::move(data)));
 }

@@ -24,7 +24,7 @@ class CspaceObstacle::State {
   std::vector<Patch> patches;
   std::vector<Shell> shells;
   std::vector<FreeCell> cells;
-  /// For each patch the free cell on its right from that slab of its interval on; the first entry is for the slab it
+  /// The free cell of each patch on its right from that slab of its interval on; the first entry is for the slab it
   /// begins in.
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> patch_cells;
   std::vector<std::pair<std::uint32_t, std::uint32_t>>

@@ -5,7 +5,7 @@
 
 namespace dymsum::planar {
 
-// Where a line crosses a at the midpoint.
+// The position at which a line crosses a at the midpoint.
 struct CrossingOrders::Position {
   LineCrossing* crossing;
   double at, error;

@@ -10,7 +10,7 @@
 
 namespace dymsum::planar {
 
-/// Where the line of another segment crosses one.
+/// The position at which the line of another segment crosses one.
 struct LineCrossing {
   std::uint32_t other = 0;
   double low = 0, high = 0;  ///< of the parameter along the segment, at all angles

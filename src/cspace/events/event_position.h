@@ -1,4 +1,4 @@
-// Where in the plane of sums an event happens, and whether that position is provably covered.
+// The position in the plane of sums at which an event happens, and whether that position is provably covered.
 #pragma once
 
 #include "cspace/events/overlap_filter.h"

@@ -21,7 +21,7 @@ EventWindow::EventWindow(const RotationGrid& grid, const RotationCatalog& catalo
   sort_pairs();
 }
 
-// Into one list per first segment, which are short; without what several pieces of two segments say twice.
+// Sorts pairs into one list per first segment, which are short; without what several pieces of two segments say twice.
 void EventWindow::sort_pairs() {
   pairs_of_.assign(segments.size() + 1, 0);
   for (const SegmentPair& p : pairs) ++pairs_of_[p.a + 1];

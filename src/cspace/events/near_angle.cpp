@@ -86,7 +86,8 @@ struct Bernstein {
   }
 };
 
-/// Where to divide: at zero, else between in powers, so that roots of any size are found in a few steps.
+/// The parameter at which to divide: zero, else one between in powers, so that roots of any size are found in a few
+/// steps.
 double divide(double low, double high) {
   constexpr double kLeast = 0x1p-100;
   if (low < 0 && high > 0) return 0;

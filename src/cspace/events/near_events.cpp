@@ -321,7 +321,8 @@ class Finder {
     return difference_of_products(b.exact_side, c.exact_cross, c.exact_side, b.exact_cross);
   }
 
-  // Where a, and two others that are seen from a position `at` along it, may meet at a position that is not covered.
+  // The angles at which a, and two others that are seen from a position `at` along it, may meet at a position that is
+  // not covered.
   std::vector<NearRoot> where_met(std::uint32_t a, double at, const Line& b, const Line& c) {
     NearPolynomial g = difference_of_products(b.side, c.cross, c.side, b.cross);
     if (sign_in(g, low_, high_) != 0) return {};

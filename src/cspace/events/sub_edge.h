@@ -16,14 +16,14 @@ struct SubEdge {
 struct Located {
   double t = 0, error = 0;
 };
-/// Where a segment is cut by another one, or meets it in a common pair of vertices at the given end: the error is that
-/// at every angle within `turn` of h.
+/// The position at which a segment is cut by another one, or meets it in a common pair of vertices at the given end:
+/// the error is that at every angle within `turn` of h.
 Located position_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h,
                     double turn = 0);
 
-/// Where a sub-edge begins or ends along the line of s at the exact angle, times |d_s|^2 and (1 + t^2); the limit from
-/// near angles where its neighbour's line comes to lie along its own. Nothing where these are parallel at every angle,
-/// or apart at this one.
+/// The position at which a sub-edge begins or ends along the line of s at the exact angle, times |d_s|^2 and (1 + t^2);
+/// the limit from near angles where its neighbour's line comes to lie along its own. Nothing where these are parallel
+/// at every angle, or apart at this one.
 std::optional<Fraction> end_along(const SignsAt& signs, const WalkSegment& s, const SubEdge& e, bool at_end);
 
 }  // namespace dymsum::planar

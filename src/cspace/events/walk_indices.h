@@ -27,7 +27,7 @@ void append_run(WalkSegment first, const WalkSegment& last, const TurningForms& 
 /// them.
 bool meet_at_ends(const TurningForms& forms, const WalkSegment& s, const WalkSegment& t);
 
-/// Which ends of walk edges are ends of the region's edges, and not cuts.
+/// The ends of walk edges that are ends of the region's edges, and not cuts.
 class EdgeEnds {
  public:
   /// `operand`: of the region, or of its reflection.

@@ -123,7 +123,7 @@ Segment segment_from(const Lattice& l, Pair z) {
   throw std::logic_error("CspaceObstacle: neither operand has an area");
 }
 
-// Where the line of `other` crosses the segment, as a fraction of it; `unless` where they look parallel.
+// The crossing of the line of `other` with the segment, as a fraction of it; `unless` where they look parallel.
 double crossing(const PlacedContact& on, const PlacedContact& other, double unless) {
   const Point gap{other.start.x - on.start.x, other.start.y - on.start.y};
   const double fraction = cross(gap, other.along) / cross(on.along, other.along);

@@ -13,8 +13,8 @@
 namespace dymsum::planar {
 
 struct LocalArrangement {
-  /// Where another segment crosses a segment or, `chain`, where it goes on after this one's end or ends before its
-  /// start; -1 where a chain's other segment does not exist.
+  /// The position at which another segment crosses a segment or, `chain`, where it goes on after this one's end or ends
+  /// before its start; -1 where a chain's other segment does not exist.
   struct Vertex {
     int other = -1;
     bool chain = false;

@@ -1,4 +1,4 @@
-// Which patches are one surface, whether free space beyond it reaches infinity, and Euler numbers.
+// The patches that are one surface, whether free space beyond it reaches infinity, and Euler numbers.
 // docs/design/cspace-obstacle.md, "Euler numbers".
 #pragma once
 

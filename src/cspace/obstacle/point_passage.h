@@ -1,4 +1,5 @@
-// Where rings touch a straight wire may pass between them, through a point: without clearance, but turning and sliding.
+// Passages through a point: where rings touch, a straight wire may pass between them, through a point: without
+// clearance, but turning and sliding.
 #pragma once
 
 #include <optional>

@@ -24,7 +24,7 @@ SegmentPosition position_on_loop(const std::vector<WalkSegment>& loop, const Tur
     const Operand &o = s.side == 0 ? *state.p : *state.q, &other = s.side == 0 ? *state.q : *state.p;
     return Segment{o.edge(s.edge), other.source[s.vertex]};
   };
-  // Where the boundary turns from one segment of the loop into the next, `by` the one that is not the first.
+  // The cut where the boundary turns from one segment of the loop into the next, `by` the one that is not the first.
   const auto cut = [&](const WalkSegment& from, const WalkSegment& to, const WalkSegment& by) {
     Cut c;
     if (forms.end(from) == TurningForms::start(to)) {

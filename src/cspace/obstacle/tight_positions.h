@@ -62,7 +62,7 @@ class PositionsAtAngle {
  private:
   int order_of_end(const NodeNow& n, const TightCandidate& z, bool at_end) const;
   bool on_line(const NodeNow& n, const TightCandidate& z) const;
-  /// Where a sub-edge comes to a line, on which it is, at the angle: exact positions along that.
+  /// The position at which a sub-edge comes to a line, on which it is, at the angle: exact positions along that.
   std::array<Fraction, 2> limit_along(const WalkSegment& line, std::uint32_t node) const;
   Point point_on(const WalkSegment& line, const Fraction& along) const;
 

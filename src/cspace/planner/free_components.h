@@ -1,4 +1,4 @@
-// Which components of free space belong together, and what there is to say about one.
+// The components of free space that belong together, and what there is to say about one.
 #pragma once
 
 #include <vector>

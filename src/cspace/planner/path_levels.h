@@ -43,8 +43,8 @@ class PathLevels {
   /// Both are valid until let_go().
   const SliceMap& map(std::size_t k);
   const SliceGraph& graph(std::size_t k);
-  /// Where slices take more than PlanOptions::slice_bytes: those that were not looked at for longest go, and are made
-  /// again when they are wanted.
+  /// Lets go of slices where they take more than PlanOptions::slice_bytes: those that were not looked at for longest
+  /// go, and are made again when they are wanted.
   void let_go();
   std::uint64_t slices() const { return slices_; }
 

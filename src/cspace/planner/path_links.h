@@ -1,4 +1,4 @@
-// Which pieces of neighbouring levels free space may join, and how many free cells lie between a piece and the goal.
+// The pieces of neighbouring levels that free space may join, and how many free cells lie between a piece and the goal.
 #pragma once
 
 #include <cstdint>

@@ -41,7 +41,7 @@ class PathSearch {
   Outcome run(const PathEnd& start, const PathEnd& goal, const SearchLimits& limits);
   /// The steps of a search that found a path; the goal is then reached by translations.
   std::vector<PathStep> steps() const;
-  /// Where a search that ran out of time was, nearest to the goal.
+  /// The position, nearest to the goal, that a search reached which ran out of time.
   std::optional<PathBarrier> barrier();
   std::uint64_t rotations() const { return rotations_; }
   std::uint64_t refinements() const { return refinements_; }

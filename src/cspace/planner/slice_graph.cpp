@@ -21,7 +21,8 @@ namespace {
 // slope, e for the left end and 2 e |s| for the distance from it, less than kMoved e (1 + |s|).
 constexpr double kDistinct = 8, kMoved = 16;
 static_assert(2 / (1 - 2 / kDistinct) + 2 <= kMoved / 2);
-// Besides, times the sizes of what is added: two differences, the quotient, another difference, the product, the sum.
+// The error besides, times the sizes of what is added: two differences, the quotient, another difference, the product,
+// the sum.
 constexpr double kHeight = exact::rounding_bound(6, 8);
 // The error of half a sum. No input shows it: twice what spots err by is more where they err at all, and where they do
 // not kHeight grants as much.

@@ -33,7 +33,7 @@ class ClearanceSearch {
  private:
   Answer any(const ClearanceQuestion& q) const;
   Answer translation(const ClearanceQuestion& q) const;
-  /// Where doubles know little of what is near at other angles.
+  /// The answer where doubles know little of what is near at other angles.
   Answer no_farther_than_translation(const ClearanceQuestion& q, Answer answer) const;
   Answer by_slice(const ClearanceQuestion& q) const;
   Answer touching(const ClearanceQuestion& q, const NearestPatch& found, bool on_edge) const;

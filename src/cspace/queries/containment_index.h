@@ -1,4 +1,4 @@
-// Where configurations lie, by counting the patches that a ray meets.
+// The containment of configurations, by counting the patches that a ray meets.
 #pragma once
 
 #include <optional>

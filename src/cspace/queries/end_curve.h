@@ -1,5 +1,5 @@
-// Where along its edge a patch ends, as a function of the angle near a reference: with derivatives, as ranges over
-// intervals, and with errors. theta = reference + x.
+// The position along its edge at which a patch ends, as a function of the angle near a reference: with derivatives, as
+// ranges over intervals, and with errors. theta = reference + x.
 #pragma once
 
 #include "cspace/queries/patch_forms.h"
@@ -34,7 +34,7 @@ class EndCurve {
   struct Derivatives {
     double value = 0, first = 0, second = 0;
   };
-  /// Where the curve is on the edge.
+  /// The curve's position on the edge.
   Derivatives derivatives(const SmallRotation& x) const;
   /// The range on the edge, for x between a and b, |a|, |b| <= 1/2.
   Range range(double a, double b) const;

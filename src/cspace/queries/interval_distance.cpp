@@ -124,7 +124,7 @@ IntervalDistance::Side IntervalDistance::side_of(const EndCurve& curve, double f
   return Side::splits;
 }
 
-// Where u meets the end, by false position (Illinois).
+// The parameter at which u meets the end, by false position (Illinois).
 double IntervalDistance::root(const EndCurve& curve, double fixed, double low, double high, double at_low,
                               double at_high) const {
   double x = low;

@@ -1,4 +1,4 @@
-// Where a position lies in one exact slice of an obstacle, and how far it is from what bounds that.
+// The containment of a position in one exact slice of an obstacle, and how far it is from what bounds that.
 #pragma once
 
 #include "cspace/queries/segment_distance.h"

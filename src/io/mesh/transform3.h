@@ -1,5 +1,5 @@
-// Where formats that place their meshes put them. Computed in doubles, as the programs do that write such files: exact
-// where a mesh stays where it is, or is turned by right angles, moved and scaled within what doubles hold.
+// Maps by which formats place their meshes. They are computed in doubles, as the programs do that write such files:
+// exact where a mesh stays where it is, or is turned by right angles, moved and scaled within what doubles hold.
 #pragma once
 
 #include <array>

@@ -34,7 +34,7 @@ struct Extent {
   double height() const { return empty ? 0 : high.y - low.y; }
 };
 
-/// Where the plane appears on the canvas: x -> scale x + dx, y -> dy - scale y.
+/// The map of the plane to the canvas: x -> scale x + dx, y -> dy - scale y.
 struct Placement {
   double scale = 1, dx = 0, dy = 0;
 

@@ -36,7 +36,7 @@ struct EllipseArc {
   double sweep = 0;  ///< in radians
 
   Point at(double t) const;
-  /// Where the tangents meet in the points of t - h and t + h.
+  /// The point at which the tangents meet in the points of t - h and t + h.
   Point corner(double t, double h) const;
   /// The length of its longest half axis, rounded up: the largest factor of lengths in the map of the unit circle.
   double reach() const;

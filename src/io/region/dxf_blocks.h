@@ -15,10 +15,11 @@ struct DxfBlock {
   std::vector<DxfEntity> entities;
 };
 
-/// By names without case. Errors: malformed, not_finite.
+/// The blocks by their names without case. Errors: malformed, not_finite.
 std::map<std::string, DxfBlock> dxf_blocks(const Source& source, const std::vector<DxfGroup>& groups);
 
-/// Where an INSERT puts its block: one map for each of its rows and columns. Errors: malformed, not_finite.
+/// The positions in which an INSERT puts its block: one map for each of its rows and columns. Errors: malformed,
+/// not_finite.
 std::vector<PlaneTransform> dxf_placements(const Source& source, const DxfEntity& insert, const DxfBlock& block);
 
 }  // namespace dymsum::io

@@ -14,7 +14,7 @@ struct PlaneTransform {
   PlaneTransform after(const PlaneTransform& inner) const;
   /// Coordinates are rounded as they are computed, except under the identity, and infinite past the double range.
   Point apply(Point p) const;
-  /// Of a vector: without e and f.
+  /// The image of a vector: without e and f.
   Point apply_vector(Point v) const;
 };
 

@@ -56,7 +56,7 @@ class DxfReader {
   static constexpr int kMostNested = 16;
   static constexpr std::size_t kMostEntities = 1'000'000;
 
-  /// By the codes of $INSUNITS.
+  /// The unit by the codes of $INSUNITS.
   std::string unit_of(const std::vector<DxfGroup>& groups) const {
     static constexpr const char* kUnits[] = {"", "in", "ft", "mi", "mm", "cm", "m", "km"};
     const DxfGroup* const unit = dxf_variable(groups, "$INSUNITS");

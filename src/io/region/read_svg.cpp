@@ -331,7 +331,7 @@ class SvgReader {
     return nested ? own.after(viewport_of(node)) : own;
   }
 
-  /// Where a nested svg element places what is in it.
+  /// The map by which a nested svg element places what is in it.
   PlaneTransform viewport_of(const pugi::xml_node& node) const {
     SvgViewport viewport{length(node, "x"), length(node, "y"), size(node, "width"), size(node, "height")};
     if (!node.attribute("viewBox")) return {1, 0, 0, 1, viewport.x, viewport.y};

@@ -11,7 +11,7 @@ namespace {
 
 std::string_view one_word(std::string_view text) { return text.substr(0, text.find_first_of(" \t\r\n,")); }
 
-/// Where a start tag's attribute value begins, counted from the tag's name; 0 when it is not found.
+/// The offset at which a start tag's attribute value begins, counted from the tag's name; 0 when it is not found.
 std::size_t offset_of_value(std::string_view tag, std::string_view name) {
   for (std::size_t i = 0; i < tag.size() && tag[i] != '>';) {
     const std::size_t equals = tag.find('=', i);

@@ -10,7 +10,7 @@ namespace dymsum::io {
 
 namespace {
 
-/// About a point; exact for multiples of 90 degrees.
+/// A rotation about a point; exact for multiples of 90 degrees.
 PlaneTransform rotation(double degrees, Point about) {
   const Point d = direction(degrees);
   const PlaneTransform rotated{d.x, d.y, -d.y, d.x, 0, 0};

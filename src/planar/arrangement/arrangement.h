@@ -101,7 +101,7 @@ class Arrangement {
 
   /// Whether a sub-edge is the last one of its segment.
   bool ends_segment(Step at) const { return at.sub == first_event_[at.segment + 1] + at.segment; }
-  /// Where a sub-edge starts and ends.
+  /// The ends of a sub-edge.
   SubEnd start_of(Step at) const {
     const std::uint32_t k = at.sub - first_sub(at.segment);
     return k > 0 ? event_end(at.segment, event(at.segment, k - 1)) : SubEnd{true, soup_.start(at.segment), 0};
@@ -113,7 +113,7 @@ class Arrangement {
   }
   SegmentPosition start_position(Step at) const;
   SegmentPosition end_position(Step at) const;
-  /// Where a sub-edge ends, rounded: |x - exact| and |y - exact| are at most error.
+  /// An end of a sub-edge, rounded: |x - exact| and |y - exact| are at most error.
   struct RoundedEnd {
     double x = 0, y = 0, error = 0;
   };

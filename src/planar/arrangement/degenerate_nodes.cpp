@@ -42,7 +42,7 @@ struct Arrangement::Spot {
   friend bool operator==(const Spot&, const Spot&) = default;
 };
 
-// Where on s an event is.
+// The position of an event on s.
 std::uint32_t Arrangement::position(std::uint32_t s, std::uint32_t event) const {
   const auto first = events_.begin() + first_event_[s];
   return static_cast<std::uint32_t>(std::find(first, first + event_count(s), event) - first);

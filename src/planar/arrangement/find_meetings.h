@@ -1,4 +1,4 @@
-// Where the segments of a sum meet, by the way that is the least work.
+// The positions at which the segments of a sum meet, by the method that is the least work.
 #pragma once
 
 #include <span>

@@ -153,7 +153,7 @@ bool Collision::test_components(std::uint32_t p_component, std::uint32_t q_compo
   };
   const auto leaves = [&](const Node& a, const Node& b) {
     for (std::uint32_t e = a.first; e < a.last; ++e) {
-      // Where an edge of Q has to reach, seen from e.
+      // The box that an edge of Q has to reach, seen from e.
       const EdgeBox& box = operands_[0]->boxes[e];
       const double x0 = x_->x - std::max(box.ax, box.bx) - margin, x1 = x_->x - std::min(box.ax, box.bx) + margin;
       const double y0 = x_->y - std::max(box.ay, box.by) - margin, y1 = x_->y - std::min(box.ay, box.by) + margin;

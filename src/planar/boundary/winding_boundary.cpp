@@ -10,7 +10,7 @@ namespace {
 
 bool inside(Sides s) { return s.left > 0 && s.right > 0; }
 
-// Where the open sum can have cracks: edges inside that carry positive segments in both directions.
+// Whether the open sum can have a crack there: edges inside that carry positive segments in both directions.
 bool may_be_crack(const Tracing& tracing, const SegmentGraph& graph, std::uint32_t edge) {
   const auto positive = [&](std::uint32_t s) { return tracing.signs[s] > 0; };
   return segment_along(graph, edge, true, positive) != kNone && segment_along(graph, edge, false, positive) != kNone;

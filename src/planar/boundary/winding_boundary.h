@@ -10,8 +10,9 @@
 
 namespace dymsum::planar {
 
-/// Inside is where the winding number is positive. Edges are named by segments that bound the sum there: those that are
-/// counted positively and run the same way. `sides`: the winding numbers beside the edges of the graph.
+/// The rings around what has a positive winding number, the inside. Edges are named by segments that bound the sum
+/// there: those that are counted positively and run the same way. `sides`: the winding numbers beside the edges of the
+/// graph.
 GraphRings winding_rings(const Tracing& tracing, const SegmentGraph& graph, const std::vector<Sides>& sides);
 
 /// Appends cracks and punctures: candidates inside the boundary that a collision test does not find in the open sum.

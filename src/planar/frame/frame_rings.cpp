@@ -95,7 +95,7 @@ class VertexOwners {
     std::uint64_t key;
     std::uint32_t ring;
   };
-  // Where a key is, or would be put.
+  // The slot of a key, or that in which it would be put.
   std::size_t find(std::uint64_t k) const {
     std::size_t at = k & (slots_.size() - 1);
     while (slots_[at].ring != kNobody && slots_[at].key != k) at = (at + 1) & (slots_.size() - 1);

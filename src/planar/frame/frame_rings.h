@@ -122,7 +122,7 @@ class RingIdentities {
   std::uint64_t next_ = 1;
 };
 
-/// Which identities loops have taken from those of the frame before.
+/// The identities that loops have taken from those of the frame before.
 class RingClaims {
  public:
   void begin_frame(std::size_t loops_before) { claimed_.assign(loops_before, 0); }

@@ -1,4 +1,4 @@
-// Which pieces of segments bound the sum: they are linked around nodes, and each patch is queried once.
+// The pieces of segments that bound the sum: they are linked around nodes, and each patch is queried once.
 #pragma once
 
 #include <cstdint>

@@ -70,7 +70,7 @@ class LocalNodes {
   Pair end_name(std::uint32_t s, std::uint32_t end) const;
   void place_finely(LocalNode& node) const;
   PairPosition make_pair_position(const LocalNode& node) const;
-  /// Where along its segment a crossing or a wall is: n / w, both off by at most `off`.
+  /// The fraction of its segment at which a crossing or a wall is: n / w, both off by at most `off`.
   struct PairFraction {
     base::DoublePair n, w;
     double off = 0;

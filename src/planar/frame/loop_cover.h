@@ -47,7 +47,7 @@ class LoopPositions {
   SegmentPosition exact_node(std::uint32_t node, double tau, const ExactFrame& frame) const;
 
  private:
-  /// Where a sub-edge ends on its segment.
+  /// The position at which a sub-edge ends on its segment.
   struct Cutting {
     Linear t;
     double error;

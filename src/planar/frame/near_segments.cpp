@@ -98,7 +98,7 @@ namespace {
 constexpr double kAngleOff = 0x1p-44;
 /// What is kept for the next places: so much of the box around it, and turns up to so many radians.
 constexpr double kKeptFraction = 0.5, kKeptTurn = 0.1;
-/// Where operands move fast: so many times as far as they moved between two calls.
+/// The reach where operands move fast: so many times as far as they moved between two calls.
 constexpr double kKeptCalls = 8;
 
 bool misses(const ScaledBox& box, Point centre, double radius) {

@@ -339,7 +339,7 @@ void PieceLists::mark_changed(std::uint32_t piece, NewSubs subs) {
   changed_at_[piece] = frame_;
 }
 
-// Where an entry stands that may have left the list.
+// The position of an entry that may have left the list.
 std::uint32_t PieceLists::position_in_list(std::uint32_t piece, std::uint32_t entry) const {
   if (entry & kTouchBit) return window_.touches[entry & ~kTouchBit].at;
   const Crossing& c = crossings_[entry];

@@ -112,7 +112,7 @@ class PieceLists {
   std::span<const Entry> entries(std::uint32_t piece) const {
     return {entries_.data() + hot_[piece].base, hot_[piece].entries};
   }
-  /// Where an entry stands on a piece, anywhere in the window.
+  /// The position of an entry on a piece, anywhere in the window.
   struct Line {
     Linear t;
     double error = 0;

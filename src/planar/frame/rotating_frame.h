@@ -61,7 +61,7 @@ class RotatingFrame {
     return {window_->forms().points(0)[v.p].x + turned_[v.q].x, window_->forms().points(0)[v.p].y + turned_[v.q].y};
   }
   double point_error() const { return kTurnedPosition * window_->forms().span(); }
-  /// Where a step ends, and a bound on the error of each coordinate.
+  /// The position at which a step ends, and a bound on the error of each coordinate.
   struct Located {
     Point at;
     double error = 0;

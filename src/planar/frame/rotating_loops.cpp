@@ -45,7 +45,7 @@ void RotatingOverlap::collect_edges(const RotatingFrame& frame, Point z) {
   collect(turning, turning_, reflected, box_of(forms_.points(0)), of_turning_);
 }
 
-// Where the ends of an edge are against a line: on one side of it provably (1), provably on both sides (-1), or
+// The sides of a line on which the ends of an edge are: on one side of it provably (1), provably on both sides (-1), or
 // undecided.
 int RotatingOverlap::sides(const Edge& line, const Edge& e) const {
   const double bound = (std::abs(line.dx) + std::abs(line.dy)) * kOverlapSide * forms_.span();

@@ -19,7 +19,7 @@ struct Taus {
   bool empty() const { return !(low <= high); }
 };
 
-/// Where a + b tau, known up to `error`, may vanish in a range.
+/// The parameters in a range at which a + b tau, known up to `error`, may vanish.
 Taus zeros_of(const Linear& g, double error, const Taus& in) {
   const double at_low = g.at(in.low), at_high = g.at(in.high);
   if ((at_low > error && at_high > error) || (at_low < -error && at_high < -error)) return {1, 0};

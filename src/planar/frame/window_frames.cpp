@@ -34,7 +34,7 @@ struct ToInput {
 
 }  // namespace
 
-// Where a ring of the last frame started, or 0.
+// The position at which a ring of the last frame started, or 0.
 std::size_t LoopRings::likely_start(const FrameLoop& loop) const {
   const auto led =
       std::find_if(loop.vertices.begin(), loop.vertices.end(), [&](std::uint32_t v) { return leads_[v] != 0; });

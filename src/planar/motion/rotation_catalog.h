@@ -1,4 +1,4 @@
-// Which segments of the reduced convolution exist at which angle: edges and convex vertices by direction.
+// The segments of the reduced convolution and the angles at which they exist: edges and convex vertices by direction.
 #pragma once
 
 #include <algorithm>
@@ -127,8 +127,8 @@ class RotationCatalog {
     std::uint32_t vertex = 0;
     bool of_hole = false;
   };
-  /// Where to look in a sorted list: of as many equal intervals of a turn as there are edges, the first one that is not
-  /// before it.
+  /// The positions at which to begin in a sorted list: of as many equal intervals of a turn as there are edges, the
+  /// first one that is not before it.
   struct Starts {
     std::vector<std::uint32_t> first;
     void index(const std::vector<Edge>& edges);

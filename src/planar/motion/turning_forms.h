@@ -55,7 +55,7 @@ inline constexpr double kTurnedEndSide = exact::rounding_bound(88 + 79 + 2, 256)
 /// known to 56 of the 256 that it has to exceed (kCrossKnown), so fractions of at most 1 err by (88 + 79) / (1 - 56 /
 /// 256) of those 256 units: less than once. The rest is slack.
 inline constexpr double kCrossingSlack = 4;
-/// Besides, absolutely: the inverse and the product, of fractions up to 1.
+/// The absolute error besides: the inverse and the product, of fractions up to 1.
 inline constexpr double kCrossingFraction = exact::rounding_bound(2, 8);
 
 /// Cross products up to this, times both L, are not divided by.

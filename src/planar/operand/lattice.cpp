@@ -224,7 +224,7 @@ class LatticeOf final : public Lattice {
     if (scale_) w *= scale_->den;
     return {std::move(x), std::move(y), std::move(w)};
   }
-  // Where the integers begin: both offsets, in integers from the input's origin.
+  // The origin of the integers: both offsets, in integers from the input's origin.
   const std::array<exact::BigInteger, 2>& origin() const {
     std::call_once(origin_made_, [this] {
       for (std::uint32_t op = 0; op < 2; ++op) {

@@ -87,8 +87,8 @@ struct PlacedPoints {
   double width = 0, height = 0;  ///< the largest x and y
   Point factors{1, 1};           ///< the factors by which x and y are scaled besides, rounded: three roundings in all
   std::shared_ptr<const TurnedPoints> turned;  ///< of a rotated operand: x and y are these then
-  /// Of the result of other operations, where some vertices are no doubles: x and y are these then, and `input` their
-  /// nearest doubles.
+  /// The exact positions of the result of other operations, where some vertices are no doubles: x and y are these then,
+  /// and `input` their nearest doubles.
   std::shared_ptr<const FractionPoints> fractions;
   double extent = 0;  ///< the larger of both, in input units
   int exponent = 0;   ///< the largest grid that holds them: all are multiples of 2^exponent

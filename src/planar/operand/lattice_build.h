@@ -33,7 +33,7 @@ inline int factor_bits(const exact::BigInteger& n) {
   return (n & (n - 1)) == 0 ? top : top + 1;
 }
 
-/// Where the integers of a rotated operand begin in input coordinates, rounded.
+/// The origin of a rotated operand's integers in input coordinates, rounded.
 Point turned_offset(const PlacedPoints& points, const LatticeScale& rotation, int grid_exponent);
 
 /// The points of both operands in units of 2^unit, on a common grid, with coordinates of at most `bits` bits.

@@ -1,4 +1,4 @@
-// Which lattice operands get: the grid that holds both, the unit of the doubles, and what is determined in doubles.
+// The lattice that operands get: the grid that holds both, the unit of the doubles, and what is determined in doubles.
 #include <algorithm>
 #include <cmath>
 

@@ -73,7 +73,7 @@ void restart(DirectionList& list, const Operand& o, const Lattice& lattice) {
   number(list, o);
 }
 
-// By points that are no doubles.
+// The same by points that are no doubles.
 template <class Points>
 void find_exact_extremes(Loop& loop, const Operand& o, const Points& points) {
   loop.min_x = loop.max_x = loop.min_y = loop.max_y = o.source[loop.first];

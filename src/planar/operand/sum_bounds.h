@@ -46,7 +46,7 @@ static_assert((1 + kLeastSide) / (1 - (2 * (1 + kLeastSide) + 1) / kCrossingFrac
 /// kept as a float.
 inline constexpr double kTouchFractions = 4;
 static_assert(3 <= kTouchFractions * (1 - exact::kFloatRoundoff));
-/// Besides, absolutely: the difference, the quotient and what is made of fractions up to 1 by three operations.
+/// The absolute error besides: the difference, the quotient and what is made of fractions up to 1 by three operations.
 inline constexpr double kFractionRoundings = exact::rounding_bound(5, 8);
 /// The error of the weight w of a mediant is this times what both denominators err by, as fractions of themselves: w
 /// errs by at most w (1 - w) (r + s) / (1 - r - s) <= (r + s) / 2 where r + s <= 1/2, and by less than 1 anywhere.

@@ -1,4 +1,4 @@
-// Where the exact positions of a sum's vertices come from: the contract between the engine, which knows the integer
+// The source of the exact positions of a sum's vertices: the contract between the engine, which knows the integer
 // operands, and everything that happens after the boundary has been found.
 #pragma once
 

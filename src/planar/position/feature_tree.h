@@ -1,4 +1,4 @@
-// Which points lie on segments and points of a set: a tree of boxes.
+// Finds the points that lie on segments and points of a set: a tree of boxes.
 #pragma once
 
 #include <cstdint>

@@ -48,9 +48,9 @@ bool cross_properly(const Spot& a, const Spot& b, const Spot& c, const Spot& d);
 
 enum class Location { outside, boundary, inside };
 
-/// Where q lies against a closed ring of either orientation. O(n).
+/// The location of q against a closed ring of either orientation. O(n).
 Location locate(std::span<const Spot> ring, const Spot& q);
-/// Where q lies against the set bounded by rings that do not cross (even-odd). O(n).
+/// The location of q against the set bounded by rings that do not cross (even-odd). O(n).
 Location locate(const std::vector<std::vector<Spot>>& rings, const Spot& q);
 
 }  // namespace dymsum::planar

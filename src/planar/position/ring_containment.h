@@ -1,4 +1,4 @@
-// Which ring of a sum lies inside which.
+// The rings of a sum, and those that they lie in.
 #pragma once
 
 #include "planar/position/exact_source.h"

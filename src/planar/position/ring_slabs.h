@@ -9,8 +9,8 @@
 
 namespace dymsum::planar {
 
-/// Where points lie against the set bounded by rings that do not cross (even-odd; they may touch in points).
-/// An edge is kept at the O(log n) nodes of the tree whose slabs it spans and that together are its height. Edges of a
+/// The location of points against the set bounded by rings that do not cross (even-odd; they may touch in points). An
+/// edge is kept at the O(log n) nodes of the tree whose slabs it spans and that together are its height. Edges of a
 /// node do not meet inside its slab, so they have an order from left to right, and so have their sides at any point of
 /// the closed slab. Exact. O(n log^2 n) to make, O(n log n) memory, O(log^2 n) a question.
 class RingSlabs {

@@ -20,7 +20,8 @@ struct EngineRegion {
   bool touching = false;                                    ///< edges of different rings may follow each other
   std::vector<std::uint32_t> vertex_indices, edge_indices;  ///< empty: unchanged
 
-  /// Of all vertices in their order, where some are no doubles: `own` has the nearest doubles then. Otherwise none.
+  /// The exact positions of all vertices in their order, where some are no doubles: `own` has the nearest doubles then.
+  /// Otherwise none.
   std::shared_ptr<const std::vector<exact::HomogeneousPoint>> fractions;
 
   const RegionData& data() const { return borrowed != nullptr ? *borrowed : own; }

@@ -175,7 +175,7 @@ RingKey key_of(const Ring& ring) {
   std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
   return key;
 }
-// Of a part: its holes in any order.
+// The key of a part, with its holes in any order.
 std::pair<RingKey, std::set<RingKey>> key_of(const Part& part) {
   std::set<RingKey> holes;
   for (const Ring& hole : part.holes) holes.insert(key_of(hole));

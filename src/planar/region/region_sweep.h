@@ -34,7 +34,7 @@ struct RingClash {
   Point at;                        ///< rounded where two edges cross in their interiors, exact otherwise
 };
 
-/// Where a ring lies.
+/// The position of a ring among the others.
 struct RingPosition {
   static constexpr std::uint32_t kNone = 0xffffffff;
   std::uint32_t first_vertex = kNone;  ///< a lexicographically smallest one

@@ -32,7 +32,7 @@ Region trusted_region(RegionData data, std::vector<Point> touching_points) {
 
 namespace {
 
-// Which chain of a region: a ring of a part, or a polyline.
+// The name of a chain of a region: a ring of a part, or a polyline.
 struct ChainName {
   std::optional<std::int64_t> part;
   std::int64_t ring;

@@ -60,7 +60,7 @@ struct Cut {
   double off = 0;  ///< from the piece, at most
 };
 
-/// Where two pieces cross that do so in their interiors.
+/// The position at which two pieces cross that do so in their interiors.
 Cut crossing(const Piece& e, const Piece& f) {
   using exact::exact_value, exact::BigRational;
   const BigRational ax = exact_value(e.a.x), ay = exact_value(e.a.y), dx = exact_value(e.b.x) - ax,

@@ -1,5 +1,5 @@
-// Where the generators take their numbers from: exact circle points, random bits, grids, smooth outlines. Only
-// +, -, *, / and square roots, all of which IEEE rounds correctly: the same arguments give the same bits everywhere.
+// The source of the generators' numbers: exact circle points, random bits, grids, smooth outlines. Only +, -, *, / and
+// square roots, all of which IEEE rounds correctly: the same arguments give the same bits everywhere.
 #pragma once
 
 #include <cstdint>

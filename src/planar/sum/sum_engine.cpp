@@ -45,7 +45,7 @@ std::string sum_of_sizes(const SumState& state) {
   return "the sum of " + text(state.p->size()) + " and " + text(state.q->size()) + " vertices";
 }
 
-// Where an engine stood, and what it had found.
+// The stage of an engine, and what it had found.
 std::string standing(const SumState& state, std::string_view stage) {
   std::string where;
   if (!stage.empty()) where += " in the stage '" + std::string(stage) + "'";

@@ -1,4 +1,4 @@
-// Which engine makes the boundary of a planar sum, and what becomes of its failures.
+// The engine that makes the boundary of a planar sum, and what becomes of its failures.
 #pragma once
 
 #include "planar/mask/refine.h"

@@ -76,7 +76,7 @@ std::optional<CrossingEdges> EdgeSearch::find_in_leaves(const EdgeTree::Node& a,
   const double of_p = scale(0, at)[0], of_q = scale(1, at)[0];
   for (std::uint32_t e = a.first; e < a.last; ++e) {
     const EdgeBox& u = window_.base().operands[0].boxes[e];
-    // Where an edge of Q has to reach, seen from e.
+    // The box that an edge of Q has to reach, seen from e.
     const double x0 = at.x[0] - of_p * std::max(u.ax, u.bx), x1 = at.x[0] - of_p * std::min(u.ax, u.bx);
     const double y0 = at.y[0] - of_p * std::max(u.ay, u.by), y1 = at.y[0] - of_p * std::min(u.ay, u.by);
     if (of_q * b.x1 < x0 || of_q * b.x0 > x1 || of_q * b.y1 < y0 || of_q * b.y0 > y1) continue;

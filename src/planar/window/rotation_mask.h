@@ -54,8 +54,8 @@ std::vector<std::uint32_t> long_edges(const TurningForms& forms, std::uint32_t o
 /// Q.
 Bitmap edge_parallelograms(const RotationGrid& grid, const std::vector<Point>& turned, double half);
 
-/// Which segments of a window of angles stay in covered cells: the cells that an edge reaches there, wherever a vertex
-/// of the other operand moves it.
+/// The segments of a window of angles that stay in covered cells: the cells that an edge reaches there, wherever a
+/// vertex of the other operand moves it.
 class EdgeCells {
  public:
   /// `turned`: the rotating operand's vertices at the midpoint of the window, about its centre; `reach`: how far a

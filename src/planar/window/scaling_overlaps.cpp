@@ -54,8 +54,8 @@ double SharedLines::error_along(std::uint32_t piece) const {
          kProjectionGap * std::max(1.0, window_.frame().tau1);
 }
 
-// Where another piece on the same line begins and ends, in multiples of this one's edge vector. Requires: neither has
-// been handed on.
+// The parameters at which another piece on the same line begins and ends, in multiples of this one's edge vector.
+// Requires: neither has been handed on.
 std::array<Linear, 2> SharedLines::ends_on(std::uint32_t piece, std::uint32_t other) const {
   const LiveSegment &on = window_.segments[window_.pieces[piece].segment],
                     &s = window_.segments[window_.pieces[other].segment];
@@ -89,7 +89,7 @@ bool SharedLines::covers(std::uint32_t i, std::uint32_t j) const {
          (same_end || provably_before(end, window_.end_position(a), error));
 }
 
-// Where piece i ends if j begins inside it and ends after it throughout the window: there.
+// The parameter at which piece i ends if j begins inside it and ends after it throughout the window: there.
 std::optional<Linear> SharedLines::begins_inside(std::uint32_t i, std::uint32_t j) const {
   const Piece &a = window_.pieces[i], &b = window_.pieces[j];
   if (a.tail_cut || b.head_cut) return std::nullopt;

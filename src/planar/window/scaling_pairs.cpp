@@ -247,7 +247,8 @@ void PairTests::test_parallel(Candidate c) {
   window_.candidates.push_back(c);
 }
 
-// Where two lines that are not parallel meet, on each of them; errors stay infinite where doubles know too little.
+// Finds where two lines that are not parallel meet, on each of them; errors stay infinite where doubles know too
+// little.
 void PairTests::solve(Candidate& c) const {
   const LiveSegment &a = window_.segments[window_.pieces[c.a].segment],
                     &b = window_.segments[window_.pieces[c.b].segment];

@@ -43,7 +43,7 @@ struct Linear {
   double at(double tau) const { return a + b * tau; }
 };
 
-/// Where a point is that moves with tau, in the window's coordinates.
+/// The position of a point that moves with tau, in the window's coordinates.
 struct MovingPoint {
   Linear x, y;
   double error = 0;  ///< anywhere in the window
@@ -153,7 +153,7 @@ class Window : public CandidateIndex {
   /// The sign of d_a x d_b of two segments.
   int cross(std::uint32_t a, std::uint32_t b) const;
   Segment exact(std::uint32_t segment) const;
-  /// Where a piece that is not cut there ends: the pair of vertices, and the position on its segment with its error.
+  /// The end of a piece that is not cut there: the pair of vertices, and the position on its segment with its error.
   WalkPair end_pair(const Piece& p) const { return p.handed_on ? p.tail_at : segments[p.segment].end; }
   Linear end_position(const Piece& p) const {
     if (p.tail_cut || p.handed_on) return p.tail;

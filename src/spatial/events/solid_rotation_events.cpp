@@ -39,7 +39,7 @@ class SolidRotationEvents::State {
     return made;
   }
 
-  /// The events from a to b, both included; up to a whole circle after a where `whole`.
+  /// The events from a to b, both included; up to a whole turn after a where `whole`.
   Result<std::vector<SolidRotationEvent>> list(const AxisTurn& a, const AxisTurn& b, bool whole,
                                                const Progress& progress) {
     std::vector<SolidRotationEvent> events;
