@@ -56,7 +56,7 @@ struct LoggedRegion {
 Result<LoggedRegion> repair(RegionData data, const RegionRepairOptions& options);
 
 /// The repairs of solids. `unused_vertices` no face uses, `faces_without_area` have none. `duplicate_faces` are
-/// there already, run the same way, and the faces are not closed with them. `split_faces` are not plane, or have a
+/// there already, in the same direction, and the faces are not closed with them. `split_faces` are not plane, or have a
 /// vertex twice. `nested_shells` run as the one around them does, `membranes` have the solid on both sides.
 /// `loose_walls` are faces with edges that no other face has, inside of the solid that the others bound: without them
 /// it is the same set. They are taken as inside where thin tetrahedra over them, on one side, lie in the solid.
