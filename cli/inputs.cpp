@@ -243,7 +243,17 @@ Result<Input> make_input(NamedShape shape, const std::string& file, const InputO
   return RegionMaker(std::move(shape), file, options).run();
 }
 
+bool holds_result(const std::string& file, const InputOptions& options) {
+  if (is_footprint(file)) return false;
+  if (file != "-") return names_sum(file);
+  return (options.from.empty() || options.from == "json") && begins_like_sum(without_mark(standard_input()));
+}
+
 Input read_input(const std::string& file, const InputOptions& options) {
+  if (holds_result(file, options))
+    throw Stop(kBadInput, shown_file(file) +
+                              ": sums, fits and Boolean operations take an exact result, and so do contains, info and "
+                              "convert; others take it in doubles, as dymsum convert FILE.json FILE.wkt writes it");
   if (options.hull) throw Stop(kUsage, "--hull is for solids");
   if (file != "-" && !is_footprint(file)) {
     const auto read = [&](const ReadOptions& how) { return read_shape(file, how); };
@@ -257,29 +267,13 @@ Input read_input(const std::string& file, const InputOptions& options) {
   return require(make_input(std::move(shapes.front()), file, options));
 }
 
-namespace {
-
-/// The exact result that a file holds, if it does.
-std::optional<PlanarSum> result_in(const std::string& file, const InputOptions& options) {
-  if (is_footprint(file)) return std::nullopt;
-  if (file != "-") {
-    if (!names_sum(file)) return std::nullopt;
-    return require(read_sum(file));
-  }
-  if ((!options.from.empty() && options.from != "json") || !begins_like_sum(without_mark(standard_input())))
-    return std::nullopt;
-  return require(parse_sum(standard_input(), "standard input"));
-}
-
-}  // namespace
-
 Input read_operand(const std::string& file, const InputOptions& options) {
-  std::optional<PlanarSum> result = result_in(file, options);
-  if (!result) return read_input(file, options);
+  if (!holds_result(file, options)) return read_input(file, options);
   if (!options.snap.empty())
     throw Stop(kUsage, "--snap is for coordinates in doubles, and " + shown_file(file) +
                            " holds an exact result; written as .wkt it is in doubles");
-  Region region = require(snap_rounded(*result)).region;
+  PlanarSum result = require(file == "-" ? parse_sum(standard_input(), "standard input") : read_sum(file));
+  Region region = require(snap_rounded(result)).region;
   return {file, std::move(region), Json::object(), std::move(result)};
 }
 

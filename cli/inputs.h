@@ -75,6 +75,8 @@ std::string file_of_operand(const std::string& operand);
 std::string_view without_mark(std::string_view text);
 /// All of standard input, read once, as it is.
 const std::string& standard_input();
+/// Whether a file, or standard input, holds an exact result in the plane, by its first characters.
+bool holds_result(const std::string& file, const InputOptions& options);
 /// All shapes of FILE, FILE#NAME, "-" or a footprint.
 std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options);
 /// The one valid region of FILE, FILE#NAME or "-".

@@ -1,6 +1,8 @@
 #include "repairs.h"
 
 #include <algorithm>
+#include <iomanip>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -23,6 +25,15 @@ std::string names(const Log& log) {
   std::string text;
   for (const auto kind : log.kinds()) text += (text.empty() ? "" : ",") + option_name(kind);
   return text;
+}
+
+/// A length of three digits that is no shorter.
+std::string rounded_up(double length) {
+  for (double up = length;; up *= 1.001) {
+    std::ostringstream text;
+    text << std::setprecision(3) << up;
+    if (std::stod(text.str()) >= length) return text.str();
+  }
 }
 
 std::string point_text(const Point& p) {
@@ -81,18 +92,18 @@ void add_named(const std::string& name, NamedRepairs& repairs) {
 }  // namespace
 
 NamedRepairs named_repairs(const std::string& text) {
-  if (text.empty() || text == "all") return {all_region_repairs(), all_mesh_repairs(), {}};
-  constexpr const char* kCracks = "cracks:";
+  if (text.empty() || text == "all") return {all_region_repairs(), all_mesh_repairs(), {}, {}};
   NamedRepairs repairs;
   std::istringstream names(text + ",");
   for (std::string name; std::getline(names, name, ',');) {
-    if (!name.starts_with(kCracks)) {
-      add_named(name, repairs);
-      continue;
-    }
-    repairs.crack_width = finite_number(name.substr(std::string(kCracks).size()));
-    if (!repairs.crack_width || *repairs.crack_width < 0) refuse(name);
-    add_named("cracks", repairs);
+    const std::size_t colon = name.find(':');
+    add_named(name.substr(0, colon), repairs);
+    if (colon == std::string::npos) continue;
+    const std::optional<double> length = finite_number(name.substr(colon + 1));
+    if (!length || *length < 0) refuse(name);
+    if (name.starts_with("cracks:")) repairs.crack_width = length;
+    else if (name.starts_with("holes:")) repairs.hole_length = length;
+    else refuse(name);
   }
   return repairs;
 }
@@ -102,6 +113,13 @@ std::string remedy(const RegionRepairLog& log) {
 }
 std::string remedy(const MeshRepairLog& log, const std::string& options) {
   return " (" + options + "--repair=" + names(log) + " repairs it: " + log.to_string() + ")";
+}
+std::string remedy_of_holes(const MeshRepairLog& log) {
+  std::string kinds = names(log);
+  const std::string hole = option_name(MeshRepairKind::holes), length = rounded_up(log.longest_hole);
+  kinds.replace(kinds.find(hole), hole.size(), hole + ":" + length);
+  return " (a hole is longer around than half of the diagonal, or has more than 64 edges: --repair=" + kinds +
+         " fills those of up to " + length + ": " + log.to_string() + ")";
 }
 
 std::string positions_text(const RegionRepairLog& log) { return text_of_positions(log); }

@@ -48,8 +48,13 @@ SolidRun read_solid_run(const std::string& verb, const SolidCommand& command) {
   const SolidOutput how{command.to, false, false, command.round};
   check_solid_outputs(files, how, ".html (the viewer), ");
   require_solid(verb, command.operands, command.input);
-  SolidRun run{
-      verb, command.engine, read_solids(command.operands, command.input), command.report, std::move(files), how, true};
+  SolidRun run{verb,
+               command.engine,
+               read_solids_and_results(command.operands, command.input),
+               command.report,
+               std::move(files),
+               how,
+               true};
   run.semantics = command.semantics;
   run.memory_mb = command.memory_mb;
   run.pages = std::move(pages);

@@ -2,12 +2,15 @@
 
 #include <iostream>
 
+#include "exit_code.h"
+#include "options.h"
 #include "outputs.h"
 #include "planar/tier.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_inputs.h"
 #include "solid/solid_outputs.h"
+#include "solid/solid_results.h"
 #include "timing.h"
 #include "viewer/viewer_pages.h"
 
@@ -19,9 +22,43 @@ std::string result_name(const SolidConvert& command) {
   return (command.verb == "hull" ? "hull of " : "") + shape_name(command.in) + ".off";
 }
 
+/// Written as the verb writes it that it is the result of.
+ExitCode convert_result(const SolidConvert& command) {
+  if (command.verb != "convert")
+    throw Stop(kUsage, command.verb + " is for coordinates in doubles, as dymsum convert writes them, and " +
+                           shown_file(command.in) + " holds an exact result");
+  if (command.canonical) refuse_options(*command.parser, {"--canonical"}, "is what an exact result is anyway");
+  std::vector<std::string> files{command.out};
+  const SolidOutput how{command.to, false, command.triangulate};
+  const ResultPages pages(*command.parser, files);
+  check_solid_outputs(files, how, ".html (the viewer), ");
+  const auto [sum, timing] = timed(1, [&] { return read_solid_result(command.in, command.input); });
+  if (pages.any() && sum.faces.empty()) pages.stop_with_nothing_to_show();
+  const InterruptGuard guard;
+  Json rounding;
+  for (const std::string& file : files) {
+    const WrittenSolid written = written_solid(sum, file, how);
+    write_text(file, written.text);
+    rounding = written.rounding;
+  }
+  if (pages.any()) pages.write({result_name(command), solid_output(sum, pages.file(), {})});
+  if (!command.json) return kDone;
+  SolidInput input{command.in, Mesh()};
+  input.result = sum;
+  Json report = report_head(command.verb, solid_inputs_json({input}), 0, timing);
+  report.update({{"output", command.out},
+                 {"shells", sum.shells},
+                 {"vertices", sum.vertices.size()},
+                 {"faces", sum.faces.size()}});
+  if (!rounding.is_null()) report["rounding"] = std::move(rounding);
+  print_report(report);
+  return kDone;
+}
+
 }  // namespace
 
 ExitCode run_solid_convert(const SolidConvert& command) {
+  if (holds_solid_result(command.in, command.input)) return convert_result(command);
   std::vector<std::string> files{command.out};
   const ResultPages pages(*command.parser, files);
   for (const std::string& file : files) mesh_output_format(file, command.to);  // before anything is read

@@ -1,5 +1,6 @@
 #include "solid/solid_info.h"
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "report.h"
 #include "solid/solid_inputs.h"
 #include "solid/solid_outputs.h"
+#include "solid/solid_results.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -57,6 +59,46 @@ void print_info(const SolidInput& input, const std::optional<Error>& not_convex)
   std::cout.precision(precision);
 }
 
+/// The positions of an exact result, at the nearest doubles.
+Json bounds_json(const SpatialSum& sum) {
+  if (sum.vertices.empty()) return nullptr;
+  std::array<double, 6> box{};
+  for (std::size_t v = 0; v < sum.vertices.size(); ++v) {
+    const RationalPoint3 at = sum.exact(v);
+    const std::array<double, 3> c{at.x.to_double(), at.y.to_double(), at.z.to_double()};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box[axis] = v == 0 ? c[axis] : std::min(box[axis], c[axis]);
+      box[axis + 3] = v == 0 ? c[axis] : std::max(box[axis + 3], c[axis]);
+    }
+  }
+  return box;
+}
+
+void print_result(const SpatialSum& sum) {
+  std::cout << "valid, an exact result: " << counted(sum.shells, "shell") << ", "
+            << counted(sum.vertices.size(), "vertex", "vertices") << ", " << counted(sum.edges().size(), "edge") << ", "
+            << counted(sum.faces.size(), "face") << "\n  tight: " << counted(sum.tight_faces.size(), "face") << ", "
+            << counted(sum.tight_segments.size(), "segment") << ", " << counted(sum.tight_points.size(), "point")
+            << "\n  volume " << shown(volume_of(sum)) << ", surface " << shown(surface_of(sum)) << "\n";
+}
+
+/// An exact result, as it was written.
+ExitCode run_result_info(const SolidInfo& command) {
+  const auto [sum, timing] = timed(1, [&] { return read_solid_result(command.file, command.input); });
+  for (const std::string& file : command.pictures) write_text(file, solid_output(sum, file));
+  if (!command.json) {
+    print_result(sum);
+    return kDone;
+  }
+  SolidInput input{command.file, Mesh()};
+  input.result = sum;
+  Json json = report_head("info", solid_inputs_json({input}), 0, timing);
+  json.update({{"valid", true}, {"exact", true}, {"edges", sum.edges().size()}, {"bounds", bounds_json(sum)}});
+  json.update(solid_sum_json(sum, false));
+  print_report(json);
+  return kDone;
+}
+
 }  // namespace
 
 ExitCode run_solid_info(const SolidInfo& command) {
@@ -65,6 +107,7 @@ ExitCode run_solid_info(const SolidInfo& command) {
     if (!format || *format != MeshFormat::glb)
       throw Stop(kUsage, "info draws solids as .glb pictures or .html only, not " + file);
   }
+  if (holds_solid_result(command.file, command.input)) return run_result_info(command);
   const auto [solid, timing] = timed(
       1, [&] { return make_solid(require(read_mesh_data(command.file, command.input)), command.file, command.input); });
   if (!solid) {

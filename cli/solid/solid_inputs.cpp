@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "exit_code.h"
 #include "repairs.h"
 #include "snapped_operand.h"
+#include "solid/solid_results.h"
 
 namespace dymsum::cli {
 
@@ -48,7 +50,8 @@ std::optional<MeshFormat> solid_format_of(std::string_view text) {
 
 MeshRepairOptions repairs_of(const InputOptions& options) {
   const NamedRepairs named = named_repairs(options.repairs);
-  return {named.solid, options.nested == "solid" ? NestedShells::solid : NestedShells::cavity, named.crack_width};
+  return {named.solid, options.nested == "solid" ? NestedShells::solid : NestedShells::cavity, named.crack_width,
+          named.hole_length};
 }
 
 Result<LoggedMesh> repaired(MeshData data, const InputOptions& options, const MeshRepairOptions& repairs) {
@@ -57,10 +60,12 @@ Result<LoggedMesh> repaired(MeshData data, const InputOptions& options, const Me
 }
 
 /// What all repairs would do: of large surfaces that cross that takes too long for a hint.
-Result<LoggedMesh> repaired_for_a_hint(const MeshData& data, const InputOptions& options) {
+Result<LoggedMesh> repaired_for_a_hint(const MeshData& data, const InputOptions& options,
+                                       std::optional<double> hole_length = {}) {
   constexpr std::size_t kMany = 20000;
   MeshRepairOptions all = repairs_of(options);
   all.kinds = all_mesh_repairs();
+  if (hole_length) all.hole_length = hole_length;
   return options.thin || data.faces.size() <= kMany ? repaired(data, options, all) : repair(data, all);
 }
 
@@ -76,6 +81,10 @@ Error with_remedy(Error error, const MeshData& data, const InputOptions& options
   if (after_repair && !after_repair->mesh.empty() && options.offers_repair) {
     error.message += remedy(after_repair->log);
     return error;
+  }
+  if (!after_repair && options.offers_repair && !options.thin && after_repair.error().code == ErrorCode::not_closed) {
+    const Result<LoggedMesh> filled = repaired_for_a_hint(data, options, std::numeric_limits<double>::max());
+    if (filled && !filled->mesh.empty() && filled->log.counts.holes > 0) error.message += remedy_of_holes(filled->log);
   }
   // What is left when all else is repaired.
   const ErrorCode code = after_repair ? error.code : after_repair.error().code;
@@ -126,6 +135,7 @@ void refuse_unknown_extension(const std::string& file) {
 
 bool names_solid(const std::string& file, const InputOptions& options) {
   refuse_selection(file);
+  if (holds_solid_result(file, options)) return true;
   return file == "-" ? mesh_format_of_input(options).has_value() : mesh_format(file).ok();
 }
 
@@ -188,16 +198,21 @@ Result<SolidInput> make_solid(MeshFile read, const std::string& file, const Inpu
 }
 
 SolidInput read_solid(const std::string& file, const InputOptions& options) {
+  if (holds_solid_result(file, options)) {
+    refuse_planar_options(options);
+    return result_operand(file, options);
+  }
   return require(make_solid(require(read_mesh_data(file, options)), file, options));
 }
 
 Json solid_inputs_json(const std::vector<SolidInput>& inputs) {
   Json list = Json::array();
   for (const SolidInput& input : inputs) {
+    const bool exact = input.result.has_value();
     list.push_back({{"file", input.file},
-                    {"vertices", input.mesh.vertices().size()},
-                    {"faces", input.mesh.faces().size()},
-                    {"shells", input.mesh.shell_count()}});
+                    {"vertices", exact ? input.result->vertices.size() : input.mesh.vertices().size()},
+                    {"faces", exact ? input.result->faces.size() : input.mesh.faces().size()},
+                    {"shells", exact ? input.result->shells : input.mesh.shell_count()}});
     if (input.hull)
       list.back()["hull"] = {{"given", input.hull->vertices},
                              {"inside", input.hull->inside_vertices},

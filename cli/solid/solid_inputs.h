@@ -7,6 +7,7 @@
 
 #include "dymsum/mesh.h"
 #include "dymsum/mesh_io.h"
+#include "dymsum/spatial_sum.h"
 #include "inputs.h"
 #include "report.h"
 
@@ -17,14 +18,16 @@ struct SolidInput {
   Mesh mesh;
   std::optional<HullReport> hull = {};  ///< where --hull was requested
   ReadingNotes notes = Json::object();
+  /// Of a file that holds an exact one whose vertices no doubles hold; `mesh` is empty then.
+  std::optional<SpatialSum> result = {};
 };
 
 /// Stops with wrong usage for FILE#NAME where FILE is one of a solid.
 void refuse_selection(const std::string& file);
 /// Stops with bad input where a file's extension is one of no input at all.
 void refuse_unknown_extension(const std::string& file);
-/// Whether a file's extension is one of a solid (.off .obj .stl .ply .glb .3mf), or standard input holds one: by
-/// --from, else by its first characters.
+/// Whether a file's extension is one of a solid (.off .obj .stl .ply .glb .3mf), it holds an exact result of solids
+/// (.json), or standard input holds a solid: by --from, else by its first characters.
 bool names_solid(const std::string& file, const InputOptions& options);
 
 /// The format of the solid on standard input, by --from, else by its first characters; nothing where it is none.
@@ -34,7 +37,7 @@ std::optional<MeshFormat> mesh_format_of_input(const InputOptions& options);
 Result<MeshFile> read_mesh_data(const std::string& file, const InputOptions& options);
 /// Validates what was read from a file, or snaps, repairs it or takes its hull where requested.
 Result<SolidInput> make_solid(MeshFile read, const std::string& file, const InputOptions& options);
-/// The valid mesh of a file.
+/// The valid mesh of a file, or the exact result that it holds.
 SolidInput read_solid(const std::string& file, const InputOptions& options);
 
 Json solid_inputs_json(const std::vector<SolidInput>& inputs);

@@ -11,9 +11,6 @@ namespace dymsum::cli {
 /// The summary of a report. volume_exact is null where it is long, unless it is wanted `exact`.
 Json solid_sum_json(const SpatialSum& sum, bool exact);
 
-/// A summary, and behind it vertices, edges, faces and what is tight, exactly and with provenance.
-Json exact_sum_json(const SpatialSum& sum, Json summary);
-
 Json feature_json(const SolidFeature& feature);
 /// face_vertex, vertex_face, edge_edge, or merged where several facets are one face.
 std::string face_kind(const SpatialFace& face);

@@ -7,6 +7,7 @@
 #include "exit_code.h"
 #include "numbers.h"
 #include "solid/nearly_convex.h"
+#include "solid/solid_results.h"
 
 namespace dymsum::cli {
 
@@ -16,9 +17,7 @@ bool are_solid(const std::vector<std::string>& files, const InputOptions& option
   if (!planar.empty())
     for (const std::string& file : files) refuse_unknown_extension(file);
   if (!solid.empty() && !planar.empty())
-    throw Stop(kUsage,
-               solid + " is a solid and " + planar + " is not: all operands have to be solids, or none" +
-                   (planar.ends_with(".json") ? "; exact results of solids are not read back, but .off is" : ""));
+    throw Stop(kUsage, solid + " is a solid and " + planar + " is not: all operands have to be solids, or none");
   return planar.empty();
 }
 
@@ -30,15 +29,22 @@ void require_planar(const std::string& verb, const std::vector<std::string>& fil
 
 void require_solid(const std::string& verb, const std::vector<std::string>& files, const InputOptions& options) {
   if (!are_solid(files, options))
-    throw Stop(kUsage, verb + " is for solids: .off .obj .stl .ply .glb .3mf, not " + shown_file(files[0]));
+    throw Stop(kUsage, verb + " is for solids: .off .obj .stl .ply .glb .3mf, or an exact result of them, .json, not " +
+                           shown_file(files[0]));
 }
 
 std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const InputOptions& options) {
+  std::vector<SolidInput> inputs = read_solids_and_results(files, options);
+  refuse_fractions(inputs);
+  return inputs;
+}
+
+std::vector<SolidInput> read_solids_and_results(const std::vector<std::string>& files, const InputOptions& options) {
   refuse_unused_format(files, options);
   std::vector<SolidInput> inputs;
   for (const std::string& file : files) {
     inputs.push_back(read_solid(file, options));
-    if (!options.hull && !options.quiet) report_nearly_convex(inputs.back());
+    if (!options.hull && !options.quiet && !inputs.back().result) report_nearly_convex(inputs.back());
   }
   return inputs;
 }

@@ -14,8 +14,10 @@ bool are_solid(const std::vector<std::string>& files, const InputOptions& option
 /// Stops for verbs that are for planar operands only, or for solids, when there are others.
 void require_planar(const std::string& verb, const std::vector<std::string>& files);
 void require_solid(const std::string& verb, const std::vector<std::string>& files, const InputOptions& options);
-/// The solids of files, of any shape.
+/// The solids of files, of any shape. Stops for exact results whose vertices are fractions.
 std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const InputOptions& options);
+/// The same with such results.
+std::vector<SolidInput> read_solids_and_results(const std::vector<std::string>& files, const InputOptions& options);
 /// The convex solids of files.
 std::vector<SolidInput> read_convex_solids(const std::vector<std::string>& files, const InputOptions& options);
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "dymsum/solid_sum_io.h"
 #include "exit_code.h"
 #include "outputs.h"
 #include "solid/tight_marks.h"
@@ -235,7 +236,7 @@ WrittenSolid mesh_of_sum(const SpatialSum& sum, MeshFormat format, const std::st
 
 WrittenSolid written_solid(const SpatialSum& sum, const std::string& file, const SolidOutput& how) {
   const std::string name = format_name(file, how.to);
-  if (is_json(name)) return {exact_sum_json(sum, solid_sum_json(sum, false)).dump(1) + "\n", Json()};
+  if (is_json(name)) return {solid_sum_to_json(sum), Json()};
   const MeshFormat format = require(mesh_format(name));
   if (format == MeshFormat::glb) return {picture_of(sum, file, is_stage_mesh(name), how), Json()};
   return mesh_of_sum(sum, format, file, how);

@@ -72,6 +72,19 @@ bool is_closed(const ContainsCommand& command, bool robot) {
   return command.semantics.empty() ? !robot : command.semantics == "closed";
 }
 
+/// In the sum of operands of which some are results.
+std::vector<bool> in_sum_of_results(const std::vector<Input>& inputs, const std::vector<Query>& queries, bool closed,
+                                    const Progress& progress) {
+  SumOptions options;
+  options.semantics = closed ? Semantics::closed : Semantics::open;
+  options.progress = progress;
+  const PlanarSum sum = require_of(inputs, minkowski_sum(inputs[0].operand(), inputs[1].operand(), options));
+  const SumLocator locator(sum, options.semantics);
+  std::vector<bool> inside;
+  for (const Query& query : queries) inside.push_back(locator.contains_rational(query.at()));
+  return inside;
+}
+
 std::vector<bool> in_sum(const std::vector<Input>& inputs, const std::vector<Query>& queries, bool closed,
                          const Progress& progress) {
   const auto answers_at = [&](const auto& positions) -> std::vector<bool> {
@@ -147,13 +160,16 @@ ExitCode run_contains(const ContainsCommand& command) {
   refuse_options(*command.parser, {"--hull", "--thin"}, "is for solids");
   const std::vector<Query> queries = read_queries(command);
   const bool robot = queries.front().theta.has_value(), closed = is_closed(command, robot);
-  const std::vector<Input> inputs = read_inputs(command.operands, command.input);
+  const std::vector<Input> inputs =
+      robot ? read_inputs(command.operands, command.input) : read_operands(command.operands, command.input);
+  const bool results = inputs[0].result || inputs[1].result;
   const Region &first = inputs[0].region, &second = inputs[1].region;
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   const auto [inside, timing] = timed(command.report.repeat, [&] {
-    return robot ? in_obstacle(inputs, queries, closed, bar->callback())
-                 : in_sum(inputs, queries, closed, bar->callback());
+    return robot     ? in_obstacle(inputs, queries, closed, bar->callback())
+           : results ? in_sum_of_results(inputs, queries, closed, bar->callback())
+                     : in_sum(inputs, queries, closed, bar->callback());
   });
   bar.reset();
   if (command.report.json) {

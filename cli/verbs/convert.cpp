@@ -23,18 +23,27 @@ struct ConvertCommand {
   OutputOptions output;
 };
 
+/// An exact result as the verb writes it that it is the result of; a picture shows it alone.
+std::string result_text(const Input& input, RegionFormat format) {
+  if (format == RegionFormat::json) return sum_to_json(*input.result);
+  if (format == RegionFormat::svg) return draw_section(*input.result);
+  return format_sum(*input.result, input.region, format);
+}
+
 ExitCode run_regions(const ConvertCommand& command) {
   refuse_options(*command.parser, {"--triangulate"}, "is for solids");
   OutputOptions output = command.output;
   output.files = {command.out};
   const ResultPages pages(*command.parser, output.files);
   check_outputs(output);
-  auto [input, timing] = timed(1, [&] { return read_input(command.in, command.input); });
+  auto [input, timing] = timed(1, [&] { return read_operand(command.in, command.input); });
   if (command.canonical) input.region = input.region.canonical();
   if (pages.any() && input.region.empty()) pages.stop_with_nothing_to_show();
   const InterruptGuard guard;
-  for (const std::string& file : output.files)
-    write_text(file, format_region(input.region, output_format(file, output)));
+  for (const std::string& file : output.files) {
+    const RegionFormat format = output_format(file, output);
+    write_text(file, input.result ? result_text(input, format) : format_region(input.region, format));
+  }
   if (pages.any()) pages.write({shape_name(command.in) + ".wkt", format_region(input.region, RegionFormat::wkt)});
   if (!command.json) return kDone;
   Json report = report_head("convert", inputs_json({input}), tier_of(input.region), timing);

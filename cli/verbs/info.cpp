@@ -36,6 +36,11 @@ Json shape_json(const Shape& shape) {
     json["error"] = error_json(shape.input.error());
     return json;
   }
+  if (shape.input->result) {
+    json["exact"] = true;
+    json.update(size_json(*shape.input->result, false));
+    return json;
+  }
   const Region& region = shape.input->region;
   json.update({{"tier", tier_of(region)},
                {"outer", region.parts().size()},
@@ -48,12 +53,20 @@ Json shape_json(const Shape& shape) {
   return json;
 }
 
+void print_result_of(std::ostream& out, const PlanarSum& sum) {
+  out << "valid, an exact result: " << counted(sum.parts.size(), "part") << ", " << counted(sum.hole_count(), "hole")
+      << ", " << counted(sum.vertex_count(), "vertex", "vertices") << ", " << counted(sum.segments.size(), "segment")
+      << ", " << counted(sum.points.size(), "point") << "\n  tight: " << counted(sum.tight_segments.size(), "segment")
+      << ", " << counted(sum.tight_points.size(), "point") << "\n  area " << shown_area(sum) << "\n";
+}
+
 void print_shape(std::ostream& out, const Shape& shape) {
   if (!shape.name.empty()) out << shape.name << ": ";
   if (!shape.input) {
     out << "not valid (" << name(shape.input.error().code) << ")\n";
     return;
   }
+  if (shape.input->result) return print_result_of(out, *shape.input->result);
   const Region& region = shape.input->region;
   const std::array<double, 4> box = bounds(region);
   const auto precision = out.precision(17);
@@ -75,7 +88,7 @@ Json file_json(const std::vector<Shape>& shapes, const Timing& timing) {
     list.push_back(shape_json(shape));
     if (!shape.input) continue;
     inputs.push_back(*shape.input);
-    const int bits = list.back()["tier"];
+    const int bits = shape.input->result ? 0 : list.back()["tier"].get<int>();
     tier = tier == 0 || bits == 0 ? 0 : std::max(tier, bits);
   }
   Json json = report_head("info", inputs_json(inputs), tier, timing);
@@ -84,6 +97,7 @@ Json file_json(const std::vector<Shape>& shapes, const Timing& timing) {
 }
 
 std::vector<Shape> read_and_validate(const InfoCommand& command) {
+  if (holds_result(command.file, command.input)) return {{"", read_operand(command.file, command.input)}};
   std::vector<NamedShape> named = read_all(command.file, command.input);
   std::vector<Shape> shapes;
   for (NamedShape& shape : named) {
@@ -104,7 +118,8 @@ void check_pictures(const InfoCommand& command) {
 void draw(const InfoCommand& command, const std::vector<Shape>& shapes) {
   if (command.draws && shapes.size() != 1) throw Stop(kUsage, "select one shape to draw: " + command.file + "#NAME");
   for (const std::string& file : command.output.files)
-    if (shapes.front().input) write_text(file, draw_region(shapes.front().input->region));
+    if (const Result<Input>& input = shapes.front().input)
+      write_text(file, input->result ? draw_section(*input->result) : draw_region(input->region));
 }
 
 ExitCode run(const InfoCommand& command) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "dymsum/solid_sum_io.h"
 #include "memory_limit.h"
 #include "options.h"
 #include "outputs.h"
@@ -81,10 +82,18 @@ std::string text_of(const LocalPart& part) {
   return out.str();
 }
 
+/// The summary, and then the lists of an exact result.
+std::string exact_part(const LocalPart& part) {
+  Json json = summary_of(part);
+  const Json exact = Json::parse(solid_sum_to_json(part.boundary));
+  for (const char* list : {"vertex_list", "edge_list", "face_list", "tight_list"}) json[list] = exact[list];
+  return json.dump(1) + "\n";
+}
+
 std::string output_of(const LocalCommand& command, const LocalPart& part, const std::string& file) {
   const SolidOutput how{command.to, false, false};
   if (!format_name(file, command.to).ends_with(".json")) return solid_output(part.boundary, file, how);
-  return exact_sum_json(part.boundary, summary_of(part)).dump(1) + "\n";
+  return exact_part(part);
 }
 
 SolidPose pose_of(const LocalCommand& command) {

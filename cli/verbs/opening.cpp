@@ -7,6 +7,7 @@
 #include "dymsum/solid_erosion.h"
 #include "solid/solid_command.h"
 #include "solid/solid_operands.h"
+#include "solid/solid_results.h"
 #include "verbs/commands.h"
 #include "verbs/sum_command.h"
 
@@ -19,6 +20,7 @@ struct OpeningCommand {
 };
 
 using Operation = Result<SolidOpening> (*)(const Mesh&, const Mesh&, const SpatialOptions&, BetweenSteps);
+using ResultOperation = Result<SolidOpening> (*)(const SpatialSum&, const Mesh&, const SpatialOptions&, BetweenSteps);
 using PlanarOperation = Result<PlanarSum> (*)(const PlanarOperand&, const PlanarOperand&, const SumOptions&);
 
 /// What the verb is in the plane, and of solids.
@@ -26,6 +28,7 @@ struct TwoSteps {
   std::string name, set;
   PlanarOperation planar;
   Operation solid;
+  ResultOperation result;
 };
 
 ExitCode run_planar(const TwoSteps& steps, const OpeningCommand& command) {
@@ -55,12 +58,14 @@ ExitCode run_planar(const TwoSteps& steps, const OpeningCommand& command) {
 
 ExitCode run(const TwoSteps& steps, const OpeningCommand& command) {
   const std::string& verb = steps.name;
-  const Operation operation = steps.solid;
   if (!are_solid(command.solid.operands, command.solid.input)) return run_planar(steps, command);
   const SolidRun run = read_solid_run(verb, command.solid);
+  refuse_fractions({run.inputs.begin() + 1, run.inputs.end()});
   const BetweenSteps between = command.round_between ? BetweenSteps::rounded : BetweenSteps::exact;
   return run_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
-    Result<SolidOpening> made = operation(run.inputs[0].mesh, run.inputs[1].mesh, options, between);
+    const Mesh& tool = run.inputs[1].mesh;
+    Result<SolidOpening> made = run.inputs[0].result ? steps.result(*run.inputs[0].result, tool, options, between)
+                                                     : steps.solid(run.inputs[0].mesh, tool, options, between);
     if (!made) {
       Error error = made.error();
       if (error.code == ErrorCode::out_of_range && !command.round_between)
@@ -92,7 +97,7 @@ void add(CLI::App& app, Action& action, const TwoSteps& steps, const std::string
       "--round-between", command->round_between,
       "Solids: round vertices between the two operations that have no doubles for coordinates, and report how far "
       "that moved them; without it they are fractions, and the result is exact");
-  verb.footer("Both steps are exact. A planar result in .json is an operand.\nExample: dymsum " + name +
+  verb.footer("Both steps are exact. A result in .json is an operand.\nExample: dymsum " + name +
               " plate.wkt tool.wkt -o " + name + ".json\nExample: dymsum " + name + " part.off tool.off -o " + name +
               ".off --json");
   verb.callback([=, &action] { action = [=] { return run(steps, *command); }; });
@@ -101,12 +106,12 @@ void add(CLI::App& app, Action& action, const TwoSteps& steps, const std::string
 }  // namespace
 
 void add_opening(CLI::App& app, Action& action) {
-  add(app, action, {"opening", "(P ⊖ Q) ⊕ Q", opening, opening},
+  add(app, action, {"opening", "(P ⊖ Q) ⊕ Q", opening, opening, opening},
       "All of A that translates of B inside A cover: erosion, then sum; ends with 4 where B does not fit");
 }
 
 void add_closing(CLI::App& app, Action& action) {
-  add(app, action, {"closing", "(P ⊕ Q) ⊖ Q", closing, closing},
+  add(app, action, {"closing", "(P ⊕ Q) ⊖ Q", closing, closing, closing},
       "A with all that translates of -B outside of A do not reach: sum, then erosion");
 }
 

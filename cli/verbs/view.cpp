@@ -53,7 +53,7 @@ std::string page_of(const ViewCommand& command) {
 /// Stops with the error of the first file that is not what the page shows.
 void check_inputs(const ViewCommand& command, const std::string& page) {
   if (page == "solids") {
-    read_solids(command.files, command.input);
+    read_solids_and_results(command.files, command.input);
   } else if (page != "nesting") {
     read_inputs(command.files, command.input);
   } else {

@@ -11,7 +11,8 @@
 #include <string_view>
 #include <utility>
 
-#include "solid/solid_inputs.h"
+#include "solid/solid_outputs.h"
+#include "solid/solid_results.h"
 
 namespace dymsum::cli {
 namespace {
@@ -80,15 +81,19 @@ Json input_json(const ViewerInput& input) {
 bool is_made(const std::string& operand, const InputOptions& options) {
   const auto ends = [&](const char* with) { return file_of_operand(operand).ends_with(with); };
   if (ends(".gz") || ends(".3mf") || ends(".glb")) return true;  // formats that the page does not take
-  return options.repair() || !options.fill.empty() || !options.join.empty() || !options.snap.empty() ||
-         !options.curve_error.empty() || !options.curve_bound.empty() || options.hull || is_map(operand) ||
-         file_of_operand(operand) != operand;
+  return holds_solid_result(operand, options) || holds_result(operand, options) || options.repair() ||
+         !options.fill.empty() || !options.join.empty() || !options.snap.empty() || !options.curve_error.empty() ||
+         !options.curve_bound.empty() || options.hull || is_map(operand) || file_of_operand(operand) != operand;
 }
 
 ViewerInput made_input(const std::string& operand, InputOptions options) {
   options.quiet = true;
+  if (holds_solid_result(operand, options))
+    return {shape_name(operand) + ".off", solid_output(read_solid_result(operand, options), operand + ".off")};
   if (names_solid(operand, options))
     return {shape_name(operand) + ".off", format_mesh(read_solid(operand, options).mesh, MeshFormat::off)};
+  if (holds_result(operand, options))
+    return {shape_name(operand) + ".wkt", format_region(read_operand(operand, options).region, RegionFormat::wkt)};
   std::string text;
   for (NamedShape& shape : read_all(operand, options))
     text += format_region(require(make_input(std::move(shape), operand, options)).region, RegionFormat::wkt);

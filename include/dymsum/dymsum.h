@@ -61,6 +61,7 @@
 #include "dymsum/solid_scale_events.h"
 #include "dymsum/solid_scale_range.h"
 #include "dymsum/solid_slice.h"
+#include "dymsum/solid_sum_io.h"
 #include "dymsum/solid_union.h"
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"

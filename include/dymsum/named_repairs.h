@@ -55,15 +55,17 @@ struct LoggedRegion {
 /// repair() of those kinds alone; the data is left as it is else, so that Region::create refuses it.
 Result<LoggedRegion> repair(RegionData data, const RegionRepairOptions& options);
 
-/// The repairs of solids. `unused_vertices` no face uses, `faces_without_area` have none. `split_faces` are not plane,
-/// or have a vertex twice. `nested_shells` run as the one around them does, `membranes` have the solid on both
-/// sides. `loose_walls` are faces with edges that no other face has, inside of the solid that the others bound: without
-/// them it is the same set. They are taken as inside where thin tetrahedra over them, on one side, lie in the solid.
+/// The repairs of solids. `unused_vertices` no face uses, `faces_without_area` have none. `duplicate_faces` are
+/// there already, in the same direction, and the faces are not closed with them. `split_faces` are not plane, or have a
+/// vertex twice. `nested_shells` run as the one around them does, `membranes` have the solid on both sides.
+/// `loose_walls` are faces with edges that no other face has, inside of the solid that the others bound: without them
+/// it is the same set. They are taken as inside where thin tetrahedra over them, on one side, lie in the solid.
 /// `crossings` are where faces cross, overlap or touch.
 enum class MeshRepairKind : std::uint8_t {
   duplicate_vertices,
   unused_vertices,
   faces_without_area,
+  duplicate_faces,
   needles,
   t_junctions,
   cracks,
@@ -88,6 +90,9 @@ struct MeshRepairOptions {
   NestedShells nested = NestedShells::cavity;
   /// How wide a crack may be, in the data's units; nothing: 2^-20 of the surface's diagonal.
   std::optional<double> crack_width;
+  /// How long the open edges around a hole may be together, in the data's units; nothing: half of the diagonal, of 64
+  /// edges at most.
+  std::optional<double> hole_length;
 };
 
 struct MeshRepairMark {
@@ -100,6 +105,8 @@ struct MeshRepairLog {
   MeshRepairReport counts;
   std::size_t nested_bodies = 0;                 ///< shells that ran as the one around them does dropped
   std::size_t loose_walls = 0;                   ///< faces dropped
+  std::size_t duplicate_faces = 0;               ///< dropped
+  double longest_hole = 0;                       ///< of those filled: its open edges together
   static constexpr std::size_t kMostMarks = 16;  ///< of a kind
   std::vector<MeshRepairMark> marks;             ///< where the first ones of every kind are, kind by kind
   bool changed() const { return !marks.empty(); }

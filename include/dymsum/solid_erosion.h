@@ -41,8 +41,14 @@ struct SolidOpening {
 Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions& options = {},
                              BetweenSteps between = BetweenSteps::exact);
 
+/// The same of the regular part of a sum. Errors also: out_of_range, as minkowski_sum of a sum.
+Result<SolidOpening> opening(const SpatialSum& a, const Mesh& b, const SpatialOptions& options = {},
+                             BetweenSteps between = BetweenSteps::exact);
+
 /// (A (+) B) (-) B: all positions that no x - B outside of A reaches. Likewise.
 Result<SolidOpening> closing(const Mesh& a, const Mesh& b, const SpatialOptions& options = {},
+                             BetweenSteps between = BetweenSteps::exact);
+Result<SolidOpening> closing(const SpatialSum& a, const Mesh& b, const SpatialOptions& options = {},
                              BetweenSteps between = BetweenSteps::exact);
 
 }  // namespace dymsum

@@ -40,5 +40,8 @@ struct SolidOffset {
 /// as above, and for the distance 0; else as minkowski_sum and erode.
 Result<SolidOffset> offset(const Mesh& mesh, double distance, double tolerance, OffsetBound bound = OffsetBound::inside,
                            const SpatialOptions& options = {});
+/// The same of the regular part of a sum, unrounded. Errors also: out_of_range, as minkowski_sum of a sum.
+Result<SolidOffset> offset(const SpatialSum& sum, double distance, double tolerance,
+                           OffsetBound bound = OffsetBound::inside, const SpatialOptions& options = {});
 
 }  // namespace dymsum

@@ -97,6 +97,7 @@ filled = _core.filled
 parse_sum = _core.parse_sum
 outer_rotated_sum = _core.outer_rotated_sum
 inner_rotated_sum = _core.inner_rotated_sum
+parse_solid_sum = _core.parse_solid_sum
 
 
 def scaling(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) -> ScalingSum:

@@ -46,7 +46,8 @@ void bind_mesh_repairs(nb::module_& m) {
       .constructible()
       .option("kinds", &MeshRepairOptions::kinds)
       .option("nested", &MeshRepairOptions::nested)
-      .option("crack_width", &MeshRepairOptions::crack_width, "None: 2^-20 of the diagonal");
+      .option("crack_width", &MeshRepairOptions::crack_width, "None: 2^-20 of the diagonal")
+      .option("hole_length", &MeshRepairOptions::hole_length, "around a hole; None: half of the diagonal, of 64 edges");
   Record<MeshRepairMark>(m, "MeshRepairMark", "Where something was repaired.")
       .field("kind", &MeshRepairMark::kind)
       .field("at", &MeshRepairMark::at);
@@ -54,6 +55,8 @@ void bind_mesh_repairs(nb::module_& m) {
   log.field("counts", &MeshRepairLog::counts)
       .field("nested_bodies", &MeshRepairLog::nested_bodies)
       .field("loose_walls", &MeshRepairLog::loose_walls)
+      .field("duplicate_faces", &MeshRepairLog::duplicate_faces)
+      .field("longest_hole", &MeshRepairLog::longest_hole, "of those filled: its open edges together")
       .field("marks", &MeshRepairLog::marks, "the first ones of every kind, kind by kind")
       .def("changed", &MeshRepairLog::changed)
       .def("kinds", &MeshRepairLog::kinds)

@@ -4,9 +4,11 @@
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "dymsum/solid_sum_io.h"
 #include "dymsum/volume_text.h"
 #include "enumeration.h"
 #include "extent.h"
+#include "paths.h"
 #include "record.h"
 #include "remember.h"
 
@@ -201,8 +203,45 @@ void bind_spatial_sum_class(nb::module_& m) {
       .def(
           "_repr_svg_",
           [](nb::handle_t<SpatialSum> self) { return nb::module_::import_("dymsum._display").attr("solid_svg")(self); })
-      .def("__reduce__", [](nb::handle_t<SpatialSum> self) { return made_again(self); });
+      .def("__reduce__", [](nb::handle_t<SpatialSum> self) { return made_again(self); })
+      .def(
+          "to_json", [](const SpatialSum& self) { return without_gil([&] { return solid_sum_to_json(self); }); },
+          "As solid_sum_to_json.");
   sum.attr("__hash__") = nb::none();
+}
+
+void bind_solid_sum_files(nb::module_& m) {
+  m.def(
+      "solid_sum_to_json", [](const SpatialSum& sum) { return without_gil([&] { return solid_sum_to_json(sum); }); },
+      "sum"_a, "Vertices, edges, faces and what is tight, exactly and with provenance, as JSON text.");
+  m.def(
+      "parse_solid_sum",
+      [](const std::string& text, const std::string& name_for_errors) {
+        return remembered(take(without_gil([&] { return parse_solid_sum(text, name_for_errors); })), "parse_solid_sum",
+                          text, name_for_errors);
+      },
+      "text"_a, "name_for_errors"_a = "text",
+      R"doc(The exact sum that to_json has written, as an operand. Raises Error: malformed; unsupported_operand; out_of_range; truncated.
+
+>>> from dymsum import minkowski_sum, parse_solid_sum, solids
+>>> sum = minkowski_sum(solids.box(0, 0, 0, 1, 1, 1), solids.box(0, 0, 0, 2, 2, 2))
+>>> parse_solid_sum(sum.to_json()) == sum
+True
+)doc");
+  m.def(
+      "read_solid_sum",
+      [](const PathArgument& path) {
+        SpatialSum sum = take(without_gil([&] { return read_solid_sum(path.text); }));
+        std::string own = without_gil([&] { return solid_sum_to_json(sum); });
+        return remembered(std::move(sum), "parse_solid_sum", std::move(own), path.text);
+      },
+      "path"_a, "The same of a file. Raises Error: cannot_open; as parse_solid_sum.");
+  m.def(
+      "begins_like_solid_sum", [](const std::string& text) { return begins_like_solid_sum(text); }, "text"_a,
+      "Whether a text begins as what to_json writes.");
+  m.def(
+      "names_solid_sum", [](const PathArgument& path) { return names_solid_sum(path.text); }, "path"_a,
+      "Whether a path ends in .json or .json.gz and names a file that begins so.");
 }
 
 }  // namespace
@@ -212,6 +251,7 @@ void bind_spatial_sum(nb::module_& m) {
   bind_spatial_parts(m);
   bind_spatial_trace(m);
   bind_spatial_sum_class(m);
+  bind_solid_sum_files(m);
   m.def(
       "volume_text", [](const SpatialSum& sum) { return volume_text(sum); }, "sum"_a);
   m.def(

@@ -142,6 +142,20 @@ void bind_opening(nb::module_& m) {
 3.0
 )doc");
   m.def(
+      "opening",
+      [](const SpatialSum& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
+        return run_with(options, [&](const SpatialOptions& own) { return opening(a, *b, own, between); });
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
+      "The same of a sum's regular part, unrounded.");
+  m.def(
+      "closing",
+      [](const SpatialSum& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
+        return run_with(options, [&](const SpatialOptions& own) { return closing(a, *b, own, between); });
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
+      "The same of a sum's regular part, unrounded.");
+  m.def(
       "closing",
       [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
         return run_with(options, [&](const SpatialOptions& own) { return closing(*a, *b, own, between); });
@@ -175,6 +189,14 @@ void bind_offset(nb::module_& m) {
       },
       "mesh"_a, "distance"_a, "tolerance"_a, "bound"_a = OffsetBound::inside, "options"_a = SpatialOptions(),
       "The solid grown by a distance, or shrunk by a negative one, up to the tolerance. Raises Error: out_of_range.");
+  m.def(
+      "offset",
+      [](const SpatialSum& sum, double distance, double tolerance, OffsetBound bound, const SpatialOptions& options) {
+        return run_with(options,
+                        [&](const SpatialOptions& own) { return offset(sum, distance, tolerance, bound, own); });
+      },
+      "sum"_a, "distance"_a, "tolerance"_a, "bound"_a = OffsetBound::inside, "options"_a = SpatialOptions(),
+      "The same of a sum's regular part, unrounded.");
 }
 
 void bind_slice(nb::module_& m) {

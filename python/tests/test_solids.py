@@ -220,3 +220,23 @@ def test_scenes_of_trimesh() -> None:
 def test_meshes_of_nothing() -> None:
     assert dymsum.Mesh((numpy.zeros((0, 3)), numpy.zeros((0, 3), int))) == dymsum.Mesh()
     assert dymsum.Mesh(trimesh.Trimesh()) == dymsum.Mesh()
+
+
+def test_exact_results_are_read_back(tmp_path: Any) -> None:
+    ell = solids.prism([(0, 0), (3, 0.1), (3, 1), (1.1, 1.3), (1, 3), (0, 3)], 1)
+    total = dymsum.minkowski_sum(ell, solids.prism([(0, 0), (1, 0.3), (0.2, 0.7)], 0.4))
+    file = tmp_path / "x.json"
+    file.write_text(total.to_json())
+    assert dymsum.names_solid_sum(file) and not dymsum.names_sum(file)
+    read = dymsum.read_solid_sum(file)
+    assert read == total and read.to_json() == dymsum.solid_sum_to_json(total)
+    assert dymsum.begins_like_solid_sum(total.to_json())
+    assert pickle.loads(pickle.dumps(read)) == total
+    assert dymsum.minkowski_sum(read, BOX) == dymsum.minkowski_sum(total, BOX)
+    tool = solids.box(0, 0, 0, 0.25, 0.5, 0.25)
+    assert dymsum.opening(read, tool).solid == dymsum.minkowski_sum(dymsum.erode(total, tool), tool)
+    assert dymsum.closing(read, tool).solid == dymsum.erode(dymsum.minkowski_sum(total, tool), tool)
+    assert dymsum.offset(read, 0.5, 0.1).solid.volume() > total.volume()
+    with pytest.raises(dymsum.Error) as malformed:
+        dymsum.parse_solid_sum(total.to_json().replace('"shells":1', '"shells":2'))
+    assert malformed.value.code == ErrorCode.malformed

@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <new>
@@ -26,6 +27,13 @@ Error too_much(std::string_view file, std::uint64_t packed) {
       ErrorCode::out_of_memory,
       "what is compressed takes more than " + std::to_string(most_unpacked(packed) >> 20) + " MB; unpack it first",
       file);
+}
+
+Error followed_by_other(std::string_view file, std::ptrdiff_t at) {
+  return file_error(ErrorCode::malformed,
+                    "what is compressed ends, and other bytes follow, from byte " + std::to_string(at) +
+                        " on; gzip -dc unpacks what is before them",
+                    file);
 }
 
 uInt as_size(std::size_t size) {
@@ -60,7 +68,10 @@ class Inflater {
       if (out.size() > most_unpacked(bytes.size())) return too_much(file, bytes.size());
       if (state == Z_MEM_ERROR) throw std::bad_alloc();
       if (state == Z_STREAM_END) {
-        if (!is_gzip(std::string_view(at, static_cast<std::size_t>(end - at)))) return out;  // padding may follow
+        const std::string_view rest(at, static_cast<std::size_t>(end - at));
+        const std::size_t more = rest.find_first_not_of('\0');  // zeros pad some files
+        if (more == std::string_view::npos) return out;
+        if (more > 0 || !is_gzip(rest)) return followed_by_other(file, at + more - bytes.data());
         if (inflateReset(&stream_) != Z_OK) throw std::bad_alloc();
       } else if (state == Z_BUF_ERROR || (state == Z_OK && at == end && stream_.avail_out > 0)) {
         return file_error(ErrorCode::truncated, "the compressed file ends early", file);

@@ -100,6 +100,8 @@ const std::vector<Case> kCases = {
     {"info", "info bow.wkt", 2},
     {"solid_info", "info cube.off"},
     {"solid_info", "info open.off", 2},
+    {"solid_info", "info solid_sum.json"},
+    {"info", "info sum.json"},
     {"disc", "disc slot.wkt --radius 1/3 --events"},
     {"disc", "disc slot.wkt --radius 100 --set erosion", 4},
     {"features", "features slot.wkt --alpha 1/2 --exact"},
@@ -150,6 +152,8 @@ class JsonReports : public CliTest {
         "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n");
     work.write("open.off", kOpen);
     work.write("cut.off", "OFF\n8 6 12\n0 0 0\n");
+    work.run("dymsum sum square.wkt peg.wkt -o sum.json");
+    work.run("dymsum sum ell.off cube.off -o solid_sum.json");
   }
   Json schema;
 };

@@ -2,12 +2,11 @@
 // has to be the one that they are.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "dymsum/sum_io.h"
 #include "io/plain_text.h"
 #include "io/read_file.h"
-#include "io/region/json_shapes.h"
+#include "io/region/exact_json.h"
 #include "planar/boolean/boolean_terms.h"
 #include "planar/result/listed_positions.h"
 
@@ -18,9 +17,6 @@ using exact::BigInteger;
 using exact::HomogeneousPoint;
 using io::JsonValue;
 using io::Source;
-
-constexpr std::size_t kMostCharacters = 20000;
-constexpr double kLargest = 0x1p1000;
 
 class SumReader {
  public:
@@ -46,18 +42,7 @@ class SumReader {
 
  private:
   Rational number(const JsonValue& object, std::string_view key) {
-    const JsonValue value = io::require_member(source_, object, key);
-    const std::string& text = io::require_text(source_, value, "an exact coordinate");
-    if (text.size() > kMostCharacters)
-      source_.fail_on_line(ErrorCode::malformed,
-                           "an exact coordinate has " + std::to_string(text.size()) + " characters, more than 20000",
-                           value.line());
-    Result<Rational> number = Rational::parse(text);
-    if (!number)
-      source_.fail_on_line(ErrorCode::malformed, "no exact coordinate: " + io::in_quotes(text), value.line());
-    if (!(std::abs(number->to_double()) <= kLargest))
-      source_.fail_on_line(ErrorCode::unsupported_operand, "a coordinate is larger than 2^1000", value.line());
-    return *std::move(number);
+    return io::require_exact_coordinate(source_, io::require_member(source_, object, key));
   }
 
   SumVertex vertex(const JsonValue& value) {
@@ -110,6 +95,27 @@ class SumReader {
   double largest_ = 0;
 };
 
+/// Whether two rings are one, vertex by vertex.
+bool are_equal(const PlanarSum& a, const SumRing& ring, const PlanarSum& b, const SumRing& other) {
+  return std::equal(ring.vertices.begin(), ring.vertices.end(), other.vertices.begin(), other.vertices.end(),
+                    [&](const SumVertex& v, const SumVertex& w) { return a.exact(v) == b.exact(w); });
+}
+
+/// Where the first ring is that a set does not have, of those that it should have.
+void name_ring(const PlanarSum& given, const PlanarSum& set, Error& error) {
+  const auto at = [&](std::size_t part, std::size_t ring, const SumRing& vertices) {
+    error.evidence.part = static_cast<std::int64_t>(part), error.evidence.ring = static_cast<std::int64_t>(ring);
+    error.evidence.x = vertices.vertices[0].at.x, error.evidence.y = vertices.vertices[0].at.y;
+  };
+  for (std::size_t p = 0; p < given.parts.size(); ++p) {
+    const SumPart& part = given.parts[p];
+    if (p >= set.parts.size() || !are_equal(given, part.outer, set, set.parts[p].outer)) return at(p, 0, part.outer);
+    for (std::size_t h = 0; h < part.holes.size(); ++h)
+      if (h >= set.parts[p].holes.size() || !are_equal(given, part.holes[h], set, set.parts[p].holes[h]))
+        return at(p, h + 1, part.holes[h]);
+  }
+}
+
 /// Why the parts are none of a result, or nothing.
 std::optional<Error> fault_of(const PlanarSum& sum, std::string_view file) {
   SumOptions regular;
@@ -120,33 +126,19 @@ std::optional<Error> fault_of(const PlanarSum& sum, std::string_view file) {
   parts.parts = sum.parts;
   exact_source(parts) = exact_source(sum);
   if (parts == *bounded) return std::nullopt;
-  return io::file_error(ErrorCode::malformed,
-                        "the rings are none of a result: they cross, overlap, have vertices inside straight edges, or "
-                        "are not in its order",
-                        file);
+  Error error = io::file_error(ErrorCode::malformed,
+                               "the rings are none of a result: they cross, overlap, have vertices inside straight "
+                               "edges, or are not in its order",
+                               file);
+  name_ring(parts, *bounded, error);
+  return error;
 }
 
 }  // namespace
 
-bool begins_like_sum(std::string_view text) {
-  const auto skip = [&] {
-    const std::size_t start = text.find_first_not_of(" \t\r\n");
-    text.remove_prefix(start == std::string_view::npos ? text.size() : start);
-  };
-  skip();
-  if (!text.starts_with('{')) return false;
-  text.remove_prefix(1);
-  skip();
-  return text.starts_with("\"parts\"");
-}
+bool begins_like_sum(std::string_view text) { return io::begins_with_key(text, "parts"); }
 
-bool names_sum(const std::string& path) {
-  std::error_code unknown;
-  // A pipe can be read once only.
-  if (io::extension(path) != ".json" || !std::filesystem::is_regular_file(path, unknown)) return false;
-  const Result<std::string> text = io::read_file(path);
-  return text && begins_like_sum(io::PlainText(*text).view());
-}
+bool names_sum(const std::string& path) { return io::names_json_with(path, "parts"); }
 
 Result<PlanarSum> parse_sum(std::string_view text, std::string_view name_for_errors) {
   try {

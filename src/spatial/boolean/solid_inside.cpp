@@ -14,7 +14,9 @@
 #include "spatial/boundary/cell_links.h"
 #include "spatial/mesh/equal_positions.h"
 #include "spatial/mesh/mesh_validate.h"
+#include "spatial/sum/common_grid.h"
 #include "spatial/sum/grid_error.h"
+#include "spatial/sum/solid_boundary.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_source.h"
 
@@ -49,10 +51,27 @@ SolidOperand surface_operand(const MeshData& surface) {
   return operand;
 }
 
-/// The origin.
-SolidOperand point_operand() {
+/// The same of triangles, at exact positions.
+Result<SolidOperand> surface_operand(const CommonGrid& grid, const ExactSet& surface) {
+  Result<std::vector<ExactVertex>> exact = vertices_on(grid, surface);
+  if (!exact) return exact.error();
+  SolidOperand operand;
+  operand.vertices = surface.set.vertices;
+  for (std::uint32_t f = 0; f < surface.set.faces.size(); ++f) {
+    const Face& face = surface.set.faces[f];
+    operand.triangles.push_back({face[0], face[1], face[2]});
+    operand.face.push_back(f);
+  }
+  operand.first_plate = static_cast<std::uint32_t>(operand.triangles.size());
+  operand.exact = *std::move(exact), operand.exponent = grid.unit();
+  return operand;
+}
+
+/// The origin, on the grid of a surface.
+SolidOperand point_operand(const SolidOperand& surface) {
   SolidOperand operand;
   operand.vertices = {{0, 0, 0}};
+  if (!surface.exact.empty()) operand.exact.emplace_back(), operand.exponent = surface.exponent;
   return operand;
 }
 
@@ -89,7 +108,7 @@ SolidBoundary boundary_inside(const SolidOperand& surface, const SolidOperand& p
   SolidBoundary result;
   result.either_side = true;
   watch.begin("surface");
-  result.space = make_sum_space(surface.vertices, point.vertices);
+  result.space = space_of(surface, point);
   watch.hold(table_bytes(surface.triangles.size()));
   result.table = facet_table(*result.space, facets_of(surface), watch);
   find_cells(result, stats, watch);
@@ -123,25 +142,19 @@ SolidBoundary boundary_inside(const SolidOperand& surface, const SolidOperand& p
   return result;
 }
 
-}  // namespace
-
-Result<SpatialSum> solid_inside(const MeshData& data, InsideRule rule, const SpatialOptions& options) {
-  if (auto error = check_finite(data.vertices)) return *std::move(error);
-  if (auto error = check_indices(data)) return *std::move(error);
+Result<SpatialSum> inside_of(const SolidOperand& surface, InsideRule rule, const SpatialOptions& options) {
   SpatialSum sum;
+  if (surface.triangles.empty()) return sum;
+  const SolidOperand point = point_operand(surface);
   try {
-    const SolidOperand surface = surface_operand(data), point = point_operand();
-    if (surface.triangles.empty()) return sum;
     StageWatch watch(options, sum.stats);
-    try {
-      SolidBoundary boundary = boundary_inside(surface, point, rule, sum.stats, watch);
-      watch.begin("faces");
-      assemble(boundary, surface, point, sum, watch);
-      watch.begin("");
-    } catch (const std::invalid_argument&) {
-      if (std::optional<Error> error = grid_error(surface.vertices, point.vertices)) return *std::move(error);
-      throw;
-    }
+    SolidBoundary boundary = boundary_inside(surface, point, rule, sum.stats, watch);
+    watch.begin("faces");
+    assemble(boundary, surface, point, sum, watch);
+    watch.begin("");
+  } catch (const std::invalid_argument&) {
+    if (std::optional<Error> error = grid_error(surface.vertices, point.vertices)) return *std::move(error);
+    throw;
   } catch (const Cancelled&) {
     return cancelled();
   } catch (const OverBudget& e) {
@@ -154,6 +167,33 @@ Result<SpatialSum> solid_inside(const MeshData& data, InsideRule rule, const Spa
     return Error{ErrorCode::out_of_memory, "the solid needs more memory than there is", {}};
   }
   return sum;
+}
+
+}  // namespace
+
+Result<SpatialSum> solid_inside(const MeshData& data, InsideRule rule, const SpatialOptions& options) {
+  if (auto error = check_finite(data.vertices)) return *std::move(error);
+  if (auto error = check_indices(data)) return *std::move(error);
+  return inside_of(surface_operand(data), rule, options);
+}
+
+Result<SpatialSum> solid_inside(const ExactSet& data, InsideRule rule, const SpatialOptions& options) {
+  const ExactSet* const sets[]{&data};
+  const Result<CommonGrid> grid = common_grid(sets);
+  if (!grid) return grid.error();
+  const Result<SolidOperand> surface = surface_operand(*grid, data);
+  if (!surface) return surface.error();
+  Result<SpatialSum> inside = inside_of(*surface, rule, options);
+  if (!inside) {
+    Error error = inside.error();
+    const double by = exact::round_to_double(grid->scale, exact::BigInteger(1) << grid->shift());
+    for (std::optional<double>* c : {&error.evidence.x, &error.evidence.y, &error.evidence.z})
+      if (*c) **c /= by;
+    return error;
+  }
+  SpatialSum made = *std::move(inside);
+  unscale(made, grid->scale, grid->shift());
+  return made;
 }
 
 }  // namespace dymsum::spatial

@@ -144,9 +144,9 @@ Result<Step> next_operand(Result<SpatialSum> first, BetweenSteps between) {
 
 SolidOpening with(SpatialSum solid, double moved) { return {std::move(solid), moved}; }
 
-}  // namespace
-
-Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
+/// Operands are meshes or sums.
+template <class Operand>
+Result<SolidOpening> opening_of(const Operand& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
   SpatialOptions inside = options;
   inside.tight = true;  // where b fits without room to move, it covers what no other position does
   inside.trace = false;
@@ -160,8 +160,9 @@ Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions&
   return with(*std::move(sum), step->moved);
 }
 
-Result<SolidOpening> closing(const Mesh& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
-  if (a.has_thin_parts() || b.has_thin_parts()) return Error{ErrorCode::unsupported_operand, kThin, {}};
+template <class Operand>
+Result<SolidOpening> closing_of(const Operand& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
+  if (b.has_thin_parts()) return Error{ErrorCode::unsupported_operand, kThin, {}};
   SpatialOptions regular = options;
   regular.tight = false;  // the closed sum holds its tight features
   regular.trace = false;
@@ -171,6 +172,25 @@ Result<SolidOpening> closing(const Mesh& a, const Mesh& b, const SpatialOptions&
                                             : spatial::erosion(step->set, b.data(), options);
   if (!sum) return sum.error();
   return with(*std::move(sum), step->moved);
+}
+
+}  // namespace
+
+Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
+  return opening_of(a, b, options, between);
+}
+
+Result<SolidOpening> opening(const SpatialSum& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
+  return opening_of(a, b, options, between);
+}
+
+Result<SolidOpening> closing(const Mesh& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
+  if (a.has_thin_parts()) return Error{ErrorCode::unsupported_operand, kThin, {}};
+  return closing_of(a, b, options, between);
+}
+
+Result<SolidOpening> closing(const SpatialSum& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
+  return closing_of(a, b, options, between);
 }
 
 }  // namespace dymsum

@@ -6,6 +6,7 @@
 
 #include "dymsum/named_repairs.h"
 #include "exact/orient3.h"
+#include "spatial/mesh/duplicate_faces.h"
 #include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/edge_splits.h"
 #include "spatial/mesh/equal_positions.h"
@@ -69,6 +70,7 @@ class MeshRepair {
     was_used_ = used_vertices();
     merge_vertices();
     drop_degenerate_faces();
+    if (may(MeshRepairKind::duplicate_faces)) drop_duplicate_faces();
     if (mode_.drop_needles) drop_needles();
     if (!mode_.thin_parts && may(MeshRepairKind::cracks)) close_cracks_of_faces();
     if (may(MeshRepairKind::t_junctions)) split_edges();
@@ -143,6 +145,12 @@ class MeshRepair {
     return all - kept;
   }
 
+  void drop_duplicate_faces() {
+    const std::vector<bool> again = duplicate_faces(data_.faces);
+    if (again.empty()) return;
+    log_.duplicate_faces = drop_faces(MeshRepairKind::duplicate_faces, [&](std::size_t f) { return bool{again[f]}; });
+  }
+
   void drop_needles() {
     const std::vector<bool> thin = mode_.thin_parts ? thin_faces(data_.faces) : std::vector<bool>{};
     log_.counts.needles = drop_faces(MeshRepairKind::needles, [&](std::size_t f) {
@@ -169,8 +177,9 @@ class MeshRepair {
   }
 
   void fill_small_holes() {
-    const FilledHoles holes = fill_holes(data_.vertices, data_.faces);
+    const FilledHoles holes = fill_holes(data_.vertices, data_.faces, options_.hole_length);
     log_.counts.holes = holes.at.size();
+    log_.longest_hole = holes.longest;
     for (const std::uint32_t v : holes.at) mark(MeshRepairKind::holes, v);
     for (const std::uint32_t f : holes.beside) face_origin_.push_back(face_origin_[f]);
   }

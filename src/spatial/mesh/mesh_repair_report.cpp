@@ -50,6 +50,7 @@ std::string MeshRepairLog::to_string() const {
     if (n > 0) text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + (n == 1 ? one : many);
   };
   say(nested_bodies, "shell inside another body dropped", "shells inside other bodies dropped");
+  say(duplicate_faces, "face given twice dropped", "faces given twice dropped");
   say(loose_walls, "loose wall inside the solid dropped", "loose walls inside the solid dropped");
   return text.empty() ? counts.to_string() : text;
 }

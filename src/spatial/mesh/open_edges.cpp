@@ -15,7 +15,7 @@ namespace dymsum::spatial {
 namespace {
 
 constexpr double kCrack = 0x1p-20, kHole = 0.5;  // of the diagonal
-constexpr std::size_t kMostEdges = 64;
+constexpr std::size_t kMostEdges = 64, kMostEdgesOfGiven = 4096;
 
 double apart(const Point3& a, const Point3& b) { return base::hypot3(a.x - b.x, a.y - b.y, a.z - b.z); }
 
@@ -98,7 +98,7 @@ ClosedCracks close_cracks(const std::vector<Point3>& vertices, std::vector<Face>
   return closed;
 }
 
-FilledHoles fill_holes(const std::vector<Point3>& vertices, std::vector<Face>& faces) {
+FilledHoles fill_holes(const std::vector<Point3>& vertices, std::vector<Face>& faces, std::optional<double> length) {
   FilledHoles filled;
   const HalfEdges edges = half_edges_without_twins(faces);
   const std::vector<std::uint32_t> open = open_half_edges(edges);
@@ -109,23 +109,24 @@ FilledHoles fill_holes(const std::vector<Point3>& vertices, std::vector<Face>& f
     std::uint32_t& there = leaving[edges.origin[h]];
     there = there == HalfEdges::kNone ? h : kSeveral;
   }
-  const double longest = kHole * diagonal(vertices, faces);
+  const double longest = length ? *length : kHole * diagonal(vertices, faces);
+  const std::size_t most = length ? kMostEdgesOfGiven : kMostEdges;
   std::vector<bool> seen(edges.size());
   for (const std::uint32_t start : open) {
     if (seen[start]) continue;
     Face loop;
-    double length = 0;
+    double around = 0;
     std::uint32_t h = start;
     bool simple = true;
     while (simple && !seen[h]) {
       seen[h] = true;
       loop.push_back(edges.origin[h]);
-      length += apart(vertices[edges.origin[h]], vertices[edges.target(h)]);
+      around += apart(vertices[edges.origin[h]], vertices[edges.target(h)]);
       const std::uint32_t next = leaving[edges.target(h)];
-      simple = next < kSeveral && loop.size() <= kMostEdges;
+      simple = next < kSeveral && loop.size() <= most;
       if (simple) h = next;
     }
-    if (!simple || h != start || loop.size() < 3 || !(length <= longest)) continue;
+    if (!simple || h != start || loop.size() < 3 || !(around <= longest)) continue;
     std::reverse(loop.begin(), loop.end());
     const std::vector<Triangle> triangles = triangulated(vertices, loop, average_view(vertices, loop));
     const bool sound = std::none_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
@@ -133,6 +134,7 @@ FilledHoles fill_holes(const std::vector<Point3>& vertices, std::vector<Face>& f
     });
     if (!sound) continue;
     filled.at.push_back(edges.origin[start]);
+    filled.longest = std::max(filled.longest, around);
     for (const Triangle& t : triangles) {
       faces.emplace_back(t.begin(), t.end());
       filled.beside.push_back(edges.face[start]);

@@ -24,10 +24,13 @@ ClosedCracks close_cracks(const std::vector<Point3>& vertices, std::vector<Face>
 struct FilledHoles {
   std::vector<std::uint32_t> at;      ///< a vertex of every hole
   std::vector<std::uint32_t> beside;  ///< of every face that was added: one that was there, at the hole
+  double longest = 0;                 ///< the open edges of one, together
 };
 
-/// Loops of open edges that meet no other one, of at most 64 edges, together no longer than half of the surface's
-/// diagonal: each gets triangles, behind the other faces, which run as the faces around it do. O(n log n).
-FilledHoles fill_holes(const std::vector<Point3>& vertices, std::vector<Face>& faces);
+/// Loops of open edges that meet no other one, together no longer than `length` (nothing: half of the surface's
+/// diagonal, and at most 64 edges): each gets triangles, behind the other faces, which run as the faces around it do.
+/// O(n log n), and O(k^2) for a hole of k edges.
+FilledHoles fill_holes(const std::vector<Point3>& vertices, std::vector<Face>& faces,
+                       std::optional<double> length = std::nullopt);
 
 }  // namespace dymsum::spatial

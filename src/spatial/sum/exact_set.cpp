@@ -1,10 +1,8 @@
 #include "spatial/sum/exact_set.h"
 
-#include <algorithm>
-#include <optional>
-#include <string>
 #include <utility>
 
+#include "spatial/sum/common_grid.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/sum_of_solids.h"
 
@@ -12,54 +10,10 @@ namespace dymsum::spatial {
 
 namespace {
 
-using exact::Big;
-using exact::BigInteger;
-using exact::BigRational;
-
-/// The grid that holds all coordinates: multiples of 2^exponent / scale.
-struct CommonGrid {
-  BigInteger scale = 1;
-  std::optional<int> exponent;  // nothing before a coordinate that is not 0
-
-  void add(const BigRational& c) {
-    if (c.is_zero()) return;
-    const BigInteger above = abs(numerator(c)), below = denominator(c);
-    const int power = static_cast<int>(lsb(above)) - static_cast<int>(lsb(below));
-    exponent = std::min(exponent.value_or(power), power);
-    scale = lcm(scale, BigInteger(below >> lsb(below)));
-  }
-  bool too_wide() const { return msb(scale) >= kMostGridBits; }
-  /// Doubles see units of 2^shift / scale, in which sizes are what they are, up to a factor of two.
-  int shift() const { return static_cast<int>(msb(scale)); }
-  BigInteger multiple(const BigRational& c) const {
-    const BigRational scaled = c * BigRational(scale);
-    const BigInteger above = numerator(scaled), below = denominator(scaled);
-    const int power = -static_cast<int>(lsb(below)) - exponent.value_or(0);
-    return power >= 0 ? BigInteger(above << power) : BigInteger(above >> -power);
-  }
-};
-
-Error too_wide(std::size_t bits, const Point3& at) {
-  Error error{ErrorCode::out_of_range,
-              "in units of their common denominator the operands' vertices need " + std::to_string(bits) +
-                  " bits, more than " + std::to_string(kMostGridBits),
-              {}};
-  error.evidence.x = at.x, error.evidence.y = at.y, error.evidence.z = at.z;
-  return error;
-}
-
-Result<SolidOperand> operand_on(const ExactSet& set, const CommonGrid& grid) {
-  std::vector<ExactVertex> vertices;
-  for (std::size_t v = 0; v < set.at.size(); ++v) {
-    std::array<BigInteger, 3> m;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      m[axis] = grid.multiple(set.at[v][axis]);
-      if (!m[axis].is_zero() && msb(abs(m[axis])) >= kMostGridBits)
-        return too_wide(msb(abs(m[axis])) + 1, set.set.vertices[v]);
-    }
-    vertices.push_back({Big(m[0]), Big(m[1]), Big(m[2])});
-  }
-  return solid_operand(set.set, set.thin, std::move(vertices), grid.exponent.value_or(0) - grid.shift());
+Result<SolidOperand> operand_on(const CommonGrid& grid, const ExactSet& set) {
+  Result<std::vector<ExactVertex>> vertices = vertices_on(grid, set);
+  if (!vertices) return vertices.error();
+  return solid_operand(set.set, set.thin, *std::move(vertices), grid.unit());
 }
 
 }  // namespace
@@ -91,18 +45,15 @@ ExactSet exact_set(const SpatialSum& sum) {
 }
 
 Result<SpatialSum> sum_of_exact_sets(const ExactSet& p, const ExactSet& q, const SpatialOptions& options) {
-  CommonGrid grid;
-  for (const ExactSet* set : {&p, &q})
-    for (std::size_t v = 0; v < set->at.size(); ++v) {
-      for (const BigRational& c : set->at[v]) grid.add(c);
-      if (grid.too_wide()) return too_wide(msb(grid.scale) + 1, set->set.vertices[v]);
-    }
-  const Result<SolidOperand> a = operand_on(p, grid), b = operand_on(q, grid);
+  const ExactSet* const sets[]{&p, &q};
+  const Result<CommonGrid> grid = common_grid(sets);
+  if (!grid) return grid.error();
+  const Result<SolidOperand> a = operand_on(*grid, p), b = operand_on(*grid, q);
   if (!a || !b) return a ? b.error() : a.error();
   Result<SpatialSum> sum = sum_of_operands(*a, *b, options);
   if (!sum) return sum;
   SpatialSum made = *std::move(sum);
-  unscale(made, grid.scale, grid.shift());
+  unscale(made, grid->scale, grid->shift());
   return made;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "spatial/mesh/sweep_triangles.h"
@@ -55,17 +56,22 @@ class FaceSplitter {
   explicit FaceSplitter(const SpatialSum& sum) : sum_(sum), turn_(sum) {}
 
   std::vector<Triangle> run(const std::vector<Ring>& loops) {
-    if (loops.size() == 1 && loops[0].size() == 3) return {{loops[0][0], loops[0][1], loops[0][2]}};
-    look_at(loops[0]);
-    auto triangles = sweep_triangles(loops, turn_);
-    if (!triangles) throw std::logic_error("solid sum: a face whose loops cross");
+    auto triangles = split(loops);
+    if (!triangles) throw std::logic_error("solid sum: a face without area, or one whose loops cross");
     return *std::move(triangles);
+  }
+
+  /// Nothing where the loops cross or have no area.
+  std::optional<std::vector<Triangle>> split(const std::vector<Ring>& loops) {
+    if (loops.size() == 1 && loops[0].size() == 3) return std::vector{Triangle{loops[0][0], loops[0][1], loops[0][2]}};
+    if (!look_at(loops[0])) return std::nullopt;
+    return sweep_triangles(loops, turn_);
   }
 
  private:
   /// Sees the face counter-clockwise: along the axis of its largest area, from the side that the outer loop's turn at
-  /// its smallest vertex decides, which is a left one.
-  void look_at(const Ring& outer) {
+  /// its smallest vertex decides, which is a left one. False where there is none.
+  bool look_at(const Ring& outer) {
     Vec3 n;
     const auto at = [&](std::uint32_t v) { return Vec3{sum_.vertices[v].x, sum_.vertices[v].y, sum_.vertices[v].z}; };
     for (std::size_t k = 1; k + 1 < outer.size(); ++k)
@@ -78,9 +84,9 @@ class FaceSplitter {
       const int s = turn_.turn(outer.back(), outer[0], outer[1]);
       if (s == 0) continue;
       turn_.look_along(axis, s);
-      return;
+      return true;
     }
-    throw std::logic_error("solid sum: a face without area");
+    return false;
   }
 
   const SpatialSum& sum_;
@@ -99,6 +105,18 @@ Triangles triangulated(const SpatialSum& sum) {
     }
   }
   return result;
+}
+
+std::optional<std::size_t> first_without_triangles(const SpatialSum& sum) {
+  FaceSplitter splitter(sum);
+  std::size_t face = 0;
+  for (const SpatialFace& f : sum.faces)
+    if (!splitter.split(f.loops)) return face;
+    else ++face;
+  for (const std::vector<Ring>& loops : sum.tight_faces)
+    if (!splitter.split(loops)) return face;
+    else ++face;
+  return std::nullopt;
 }
 
 }  // namespace dymsum::spatial

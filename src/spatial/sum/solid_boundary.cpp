@@ -97,16 +97,12 @@ Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const
   return {arrangement.points.source(at), group.plane, e.cut, direction, 1, static_cast<std::int8_t>(side)};
 }
 
-namespace {
-
 std::unique_ptr<SumSpace> space_of(const SolidOperand& p, const SolidOperand& q) {
   if (p.exact.empty()) return make_sum_space(p.vertices, q.vertices);
   const GridPositions none;
   const std::array<exact::BigInteger, 9> identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
   return make_sum_space({none, identity, p.exact}, {none, identity, q.exact}, p.exponent);
 }
-
-}  // namespace
 
 SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options,
                              SpatialStats& stats, StageWatch& watch) {

@@ -32,6 +32,8 @@ struct ConvolutionHints {
 SolidBoundary solid_boundary(std::unique_ptr<SumSpace> space, ReducedConvolution convolution, const SolidOperand& p,
                              const SolidOperand& q, const ConvolutionHints& hints, const SpatialOptions& options,
                              SpatialStats& stats, StageWatch& watch);
+/// The space of a sum: of doubles, or where vertices are exact, of these.
+std::unique_ptr<SumSpace> space_of(const SolidOperand& p, const SolidOperand& q);
 /// The cells of a boundary whose space and table of facets are there.
 void find_cells(SolidBoundary& boundary, SpatialStats& stats, StageWatch& watch);
 /// Bytes of facets in the table and on the way into it: their planes and edges, facet edges as segments with upright

@@ -22,7 +22,7 @@ std::array<BigInteger, 4> homogeneous_of(const ConvexPositions& positions, std::
 }  // namespace
 
 ExactPosition SpatialPositions::at(std::size_t vertex) const {
-  if (convex) {
+  if (convex || !space) {
     const std::array<BigInteger, 4> h = homogeneous(vertex);
     return {exact::BigRational(h[0], h[3]), exact::BigRational(h[1], h[3]), exact::BigRational(h[2], h[3])};
   }
@@ -36,7 +36,7 @@ ExactPosition SpatialPositions::at(std::size_t vertex) const {
 // The nearest doubles, without at(), whose fractions in lowest terms cost more than all else of writing a sum.
 Point3 SpatialPositions::rounded(std::size_t vertex) const {
   double result[3];
-  if (convex) {
+  if (convex || !space) {
     const std::array<BigInteger, 4> h = homogeneous(vertex);
     for (std::size_t i = 0; i < 3; ++i) result[i] = exact::round_to_double(h[i], h[3]);
     return {result[0], result[1], result[2]};
@@ -62,6 +62,7 @@ Point3 SpatialPositions::rounded(std::size_t vertex) const {
 
 std::array<BigInteger, 4> SpatialPositions::homogeneous(std::size_t vertex) const {
   if (convex) return homogeneous_of(*convex, vertex, scale);
+  if (!space) return listed[vertex];
   std::array<BigInteger, 4> h = space->homogeneous(vertices[vertex]);
   if (scale == 1) return h;
   for (std::size_t axis = 0; axis < 3; ++axis) h[axis] <<= shift;
@@ -70,7 +71,7 @@ std::array<BigInteger, 4> SpatialPositions::homogeneous(std::size_t vertex) cons
 }
 
 std::array<int, 3> SpatialPositions::unit_exponents() const {
-  if (convex) return {0, 0, 0};
+  if (!space) return {0, 0, 0};
   return {space->line(0).exponent, space->line(1).exponent, space->line(2).exponent};
 }
 

@@ -24,6 +24,8 @@ struct SpatialPositions {
   std::shared_ptr<const ConvexPositions> convex;  ///< of a convex sum, which has no space
   exact::BigInteger scale = 1;                    ///< positions are those of space or convex places divided by it
   int shift = 0;                                  ///< and times 2^shift
+  /// Of a sum that was read, which has neither of these: positions (x, y, z) / w.
+  std::vector<std::array<exact::BigInteger, 4>> listed;
 
   ExactPosition at(std::size_t vertex) const;
   /// The nearest doubles.

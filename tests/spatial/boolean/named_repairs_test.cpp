@@ -46,6 +46,9 @@ MeshData defect(Kind kind) {
     case Kind::faces_without_area:
       data.faces.push_back({0, 1, 0});
       return data;
+    case Kind::duplicate_faces:
+      data.faces.push_back({data.faces[3][2], data.faces[3][3], data.faces[3][0], data.faces[3][1]});
+      return data;
     case Kind::needles:
     case Kind::t_junctions: {
       data = triangles(data);
@@ -147,6 +150,31 @@ TEST(NamedRepairs, positions_are_those_of_the_data) {
   const LoggedMesh soup = repair(defect(Kind::duplicate_vertices), MeshRepairOptions{}).value();
   EXPECT_EQ(soup.log.counts.duplicate_vertices, 16u);
   EXPECT_EQ(soup.log.marks.size(), 16u);
+}
+
+// Of a whole body that is there twice no face is dropped: these are two bodies that overlap.
+TEST(NamedRepairs, faces_given_twice_are_dropped_where_the_others_are_closed_without_them) {
+  const LoggedMesh dropped = repair(defect(Kind::duplicate_faces), MeshRepairOptions{}).value();
+  EXPECT_EQ(dropped.log.duplicate_faces, 1u);
+  EXPECT_EQ(dropped.log.to_string(), "1 face given twice dropped");
+  EXPECT_EQ(dropped.mesh, Mesh::create(cube(0, 1)).value());
+  MeshData twice = cube(0, 1);
+  twice.faces.insert(twice.faces.end(), twice.faces.begin(), twice.faces.end());
+  const LoggedMesh united = repair_with_union(twice, Fill::nonzero, MeshRepairOptions{}).value();
+  EXPECT_EQ(united.log.duplicate_faces, 0u);
+}
+
+TEST(NamedRepairs, a_hole_of_any_size_is_filled_where_its_length_is_given) {
+  MeshData open = cube(0, 1);
+  open.faces.pop_back();
+  EXPECT_EQ(repair(open, MeshRepairOptions{}).error().code, ErrorCode::not_closed);
+  MeshRepairOptions options;
+  options.hole_length = 3.9;
+  EXPECT_FALSE(repair(open, options));
+  options.hole_length = 4;
+  const LoggedMesh filled = repair(open, options).value();
+  EXPECT_EQ(filled.log.longest_hole, 4);
+  EXPECT_EQ(volume(filled.mesh), 1);
 }
 
 // A wall that reaches out of the solid is a part of the set, and stays an error, as one does that is apart.

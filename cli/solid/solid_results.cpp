@@ -1,0 +1,61 @@
+#include "solid/solid_results.h"
+
+#include <iostream>
+#include <utility>
+
+#include "dymsum/solid_sum_io.h"
+#include "exit_code.h"
+
+namespace dymsum::cli {
+namespace {
+
+void refuse_options_of_doubles(const std::string& file, const InputOptions& options) {
+  const std::pair<bool, const char*> given[] = {{!options.snap.empty(), "--snap"}, {options.hull, "--hull"}};
+  for (const auto& [is_given, name] : given)
+    if (is_given)
+      throw Stop(kUsage, std::string(name) + " is for coordinates in doubles, and " + shown_file(file) +
+                             " holds an exact result; dymsum convert writes it in doubles, as .off");
+}
+
+/// Results in fractions are not taken everywhere.
+SolidInput in_fractions(const std::string& file, SpatialSum sum) {
+  SolidInput input{file, Mesh()};
+  input.result = std::move(sum);
+  return input;
+}
+
+}  // namespace
+
+bool holds_solid_result(const std::string& file, const InputOptions& options) {
+  if (file != "-") return names_solid_sum(file);
+  return (options.from.empty() || options.from == "json") && begins_like_solid_sum(without_mark(standard_input()));
+}
+
+SpatialSum read_solid_result(const std::string& file, const InputOptions& options) {
+  refuse_options_of_doubles(file, options);
+  Result<SpatialSum> sum = file == "-" ? parse_solid_sum(standard_input(), "standard input") : read_solid_sum(file);
+  if (sum) return *std::move(sum);
+  Error error = sum.error();
+  if (error.code == ErrorCode::out_of_range) error.message += " (written as .off as well, the result is an operand)";
+  stop_with(error);
+}
+
+SolidInput result_operand(const std::string& file, const InputOptions& options) {
+  SpatialSum sum = read_solid_result(file, options);
+  const std::size_t tight = sum.tight_faces.size() + sum.tight_segments.size() + sum.tight_points.size();
+  if (tight > 0 && !options.quiet)
+    std::cerr << shown_file(file) << ": " << counted(tight, "tight feature") << " left out: an operand is the solid\n";
+  if (Result<Mesh> mesh = as_mesh(sum)) return {file, *std::move(mesh)};
+  return in_fractions(file, std::move(sum));
+}
+
+void refuse_fractions(const std::vector<SolidInput>& inputs) {
+  for (const SolidInput& input : inputs)
+    if (input.result)
+      throw Stop(kBadInput, shown_file(input.file) +
+                                ": the vertices of this exact result are fractions, which sum takes, and nfp, erode, "
+                                "opening, closing and offset as the first operand; others take it in doubles, as "
+                                "dymsum convert FILE.json FILE.off writes it");
+}
+
+}  // namespace dymsum::cli
