@@ -28,9 +28,10 @@ namespace dymsum {
 /// interior: they take part as such, and regular semantics leaves them out.
 ///
 /// A result of these operations is taken for the operations that made it: its edges lie on edges of the first operands
-/// whatever has been done with it, and no integer grows. So semantics are those of the last operation: what regular
-/// semantics left out of a result counts again where that result takes part in a closed operation; an empty result is
-/// the empty set. Of any other result (a sum, an erosion) its parts, segments and points take part.
+/// whatever has been done with it, and no integer grows. So semantics are those of the last operation: pieces that
+/// regular semantics left out of a result count again where that result takes part in a closed operation, also where
+/// nothing else was left of it. (Polylines and points that a regular operation was given itself are left out for good.)
+/// Of any other result (a sum, an erosion) its parts, segments and points take part.
 ///
 /// Exact and canonical: equal sets are equal results. Provenance: `p` of a contact and of a corner counts the vertices
 /// and edges of all regions that take part, one after the other as they come first, each once where a result takes

@@ -80,7 +80,8 @@ TEST_F(SolidUsage, ExtensionsThatNothingReadsAreBadInputThatNamesTheFile) {
 TEST_F(SolidUsage, OperandsOfTheWrongKindAreNamed) {
   says("sum cube.off square.wkt", 1, "cube.off is a solid and square.wkt is not");
   says("sum cube.off cube.off square.wkt", 1, "square.wkt is not");
-  says("offset square.wkt --by 1", 1, "is for solids: .off .obj .stl .ply .glb .3mf, or an exact result of them, .json, not square.wkt");
+  says("offset square.wkt --by 1", 1,
+       "is for solids: .off .obj .stl .ply .glb .3mf, or an exact result of them, .json, not square.wkt");
   says("opening square.wkt square.wkt --round-between", 1, "--round-between is for solids");
   says("depth ell.off cube.off --axis 0,0,1 --degrees 9", 2,
        "only convex solids are taken; --hull takes the convex hull");
