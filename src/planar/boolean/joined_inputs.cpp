@@ -1,5 +1,6 @@
 #include "planar/boolean/joined_inputs.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dymsum::planar {
@@ -37,7 +38,11 @@ class InputJoiner {
       for (const Point& point : input->points) points_.push_back(next(point, Kind::from_point));
       ++input_;
     }
-    for (const JoinedVertex& point : points_) add_point(point);
+    // Along a chain that runs to the right segments hardly cross.
+    std::sort(points_.begin(), points_.end(), [](const JoinedVertex& a, const JoinedVertex& b) {
+      return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y < b.at.y;
+    });
+    for (std::size_t k = 0; k < points_.size(); ++k) add_point(k);
   }
 
   JoinedInputs joined() && {
@@ -83,8 +88,9 @@ class InputJoiner {
   }
 
   // To some vertex elsewhere: windings cancel, and what lies between belongs to nothing.
-  void add_point(const JoinedVertex& point) {
-    JoinedVertex other = elsewhere(point);
+  void add_point(std::size_t k) {
+    const JoinedVertex& point = points_[k];
+    JoinedVertex other = elsewhere(k);
     other.index = index_++;
     other.input = point.input;
     other.kind = Kind::to_point;
@@ -92,7 +98,10 @@ class InputJoiner {
     lines_.push_back(point);
     lines_.push_back(other);
   }
-  JoinedVertex elsewhere(const JoinedVertex& point) const {
+  JoinedVertex elsewhere(std::size_t k) const {
+    const JoinedVertex& point = points_[k];
+    for (std::size_t next = k + 1; next < points_.size(); ++next)
+      if (!same_position_as(points_[next], point)) return points_[next];
     for (const std::vector<JoinedVertex>* vertices : {&rings_, &lines_, &points_})
       for (const JoinedVertex& v : *vertices)
         if (!same_position_as(v, point)) return v;
