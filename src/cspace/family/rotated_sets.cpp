@@ -66,8 +66,18 @@ Result<Steps> steps_of(const RotatedOperands& operands, const Orientation& a, co
   return steps;
 }
 
-bool stopped(const Progress& progress, std::size_t done, std::size_t all) {
-  return progress && !progress("orientations", static_cast<double>(done) / static_cast<double>(all));
+/// sum_at(theta) for all orientations.
+template <class SumAt>
+Result<std::vector<PlanarSum>> sums_at(const Steps& steps, const Progress& progress, const SumAt& sum_at) {
+  std::vector<PlanarSum> sums;
+  for (const Orientation& theta : steps.orientations) {
+    const double fraction = static_cast<double>(sums.size()) / static_cast<double>(steps.orientations.size());
+    if (progress && !progress("orientations", fraction)) return cancelled();
+    Result<PlanarSum> sum = sum_at(theta);
+    if (!sum) return sum.error();
+    sums.push_back(*std::move(sum));
+  }
+  return sums;
 }
 
 Region origin() { return Region::create({{}, {}, {Point{0, 0}}}).value(); }
@@ -89,34 +99,27 @@ Result<PlanarSum> outer_set(const RotatedOperands& operands, const Orientation& 
                             double tolerance, const Progress& progress) {
   const Result<Steps> steps = steps_of(operands, a, b, tolerance);
   if (!steps) return steps.error();
-  std::vector<PlanarSum> sums;
-  for (const Orientation& theta : steps->orientations) {
-    if (stopped(progress, sums.size(), steps->orientations.size())) return cancelled();
-    Result<PlanarSum> sum = rotated_sum(operands.moves, operands.stays, theta);
-    if (sum && steps->rho > 0) sum = minkowski_sum(*sum, octagon(steps->rho));
-    if (!sum) return sum;
-    sums.push_back(*std::move(sum));
-  }
-  if (sums.size() == 1) return sums.front();
-  return united(std::vector<PlanarOperand>(sums.begin(), sums.end()));
+  const auto sums = sums_at(*steps, progress, [&](const Orientation& theta) {
+    const Result<PlanarSum> sum = rotated_sum(operands.moves, operands.stays, theta);
+    return sum && steps->rho > 0 ? minkowski_sum(*sum, octagon(steps->rho)) : sum;
+  });
+  if (!sums) return sums.error();
+  if (sums->size() == 1) return sums->front();
+  return united(std::vector<PlanarOperand>(sums->begin(), sums->end()));
 }
 
 Result<PlanarSum> inner_set(const RotatedOperands& operands, const Orientation& a, const Orientation& b,
                             double tolerance, const Progress& progress) {
   const Result<Steps> steps = steps_of(operands, a, b, tolerance);
   if (!steps) return steps.error();
-  std::vector<PlanarSum> sums;
-  for (const Orientation& theta : steps->orientations) {
-    if (stopped(progress, sums.size(), steps->orientations.size())) return cancelled();
+  const auto sums = sums_at(*steps, progress, [&](const Orientation& theta) {
     Result<PlanarSum> rotated = rotated_sum(operands.moves, origin(), theta, regular());
     if (rotated && steps->rho > 0) rotated = erode(*rotated, octagon(steps->rho), regular());
-    if (!rotated) return rotated;
-    Result<PlanarSum> sum = minkowski_sum(*rotated, operands.stays, regular());
-    if (!sum) return sum;
-    sums.push_back(*std::move(sum));
-  }
-  if (sums.size() == 1) return sums.front();
-  return intersection(std::vector<PlanarOperand>(sums.begin(), sums.end()), regular());
+    return rotated ? minkowski_sum(*rotated, operands.stays, regular()) : rotated;
+  });
+  if (!sums) return sums.error();
+  if (sums->size() == 1) return sums->front();
+  return intersection(std::vector<PlanarOperand>(sums->begin(), sums->end()), regular());
 }
 
 Result<Region> translated_exactly(const Region& region, Point by) {

@@ -74,9 +74,7 @@ std::vector<std::uint32_t> SlabLoops::patches_in(std::uint32_t slab) const {
   const std::uint32_t kept = slab / kEvery;
   for (std::uint32_t i = first_kept_[kept]; i < first_kept_[kept + 1]; ++i)
     if (is_there(kept_[i], slab)) found.push_back(kept_[i]);
-  const std::uint32_t first = first_beginning_[kept * kEvery + 1 > slab ? slab : kept * kEvery + 1],
-                      last = kept * kEvery + 1 > slab ? first : first_beginning_[slab + 1];
-  for (std::uint32_t i = first; i < last; ++i)
+  for (std::uint32_t i = first_beginning_[kept * kEvery + 1]; i < first_beginning_[slab + 1]; ++i)
     if (is_there(beginning_[i], slab)) found.push_back(beginning_[i]);
   return found;
 }

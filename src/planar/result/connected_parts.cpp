@@ -42,17 +42,7 @@ std::vector<Path> simple_paths(const SumSkeleton& skeleton, const std::vector<Ri
 /// The vertices of a sum in the order of its skeleton.
 std::vector<const SumVertex*> vertices_of(const PlanarSum& sum) {
   std::vector<const SumVertex*> vertices;
-  const auto add = [&](const SumVertex& v) { vertices.push_back(&v); };
-  const auto add_ring = [&](const SumRing& ring) { std::for_each(ring.vertices.begin(), ring.vertices.end(), add); };
-  for (const SumPart& part : sum.parts) {
-    add_ring(part.outer);
-    std::for_each(part.holes.begin(), part.holes.end(), add_ring);
-  }
-  for (const SumSegment& s : sum.segments) {
-    add(s.from);
-    add(s.to);
-  }
-  std::for_each(sum.points.begin(), sum.points.end(), add);
+  for_each_vertex(sum, [&](const SumVertex& v) { vertices.push_back(&v); });
   return vertices;
 }
 

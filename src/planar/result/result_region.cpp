@@ -75,19 +75,8 @@ bool is_double(const HomogeneousPoint& position, Point nearest) {
 
 std::vector<HomogeneousPoint> positions_of(const PlanarSum& sum) {
   std::vector<HomogeneousPoint> positions;
-  const auto add = [&](const SumVertex& v) {
-    positions.push_back(exact::in_lowest_terms(exact_source(sum)->homogeneous(v)));
-  };
-  const auto add_ring = [&](const SumRing& ring) { std::for_each(ring.vertices.begin(), ring.vertices.end(), add); };
-  for (const SumPart& part : sum.parts) {
-    add_ring(part.outer);
-    std::for_each(part.holes.begin(), part.holes.end(), add_ring);
-  }
-  for (const SumSegment& s : sum.segments) {
-    add(s.from);
-    add(s.to);
-  }
-  std::for_each(sum.points.begin(), sum.points.end(), add);
+  for_each_vertex(
+      sum, [&](const SumVertex& v) { positions.push_back(exact::in_lowest_terms(exact_source(sum)->homogeneous(v))); });
   return positions;
 }
 

@@ -13,6 +13,24 @@
 
 namespace dymsum::planar {
 
+/// Calls f(vertex) for all vertices of a sum: of its rings, part by part, the outer ring first; then the ends of its
+/// segments; then its points.
+template <class F>
+void for_each_vertex(const PlanarSum& sum, F f) {
+  const auto of_ring = [&](const SumRing& ring) {
+    for (const SumVertex& v : ring.vertices) f(v);
+  };
+  for (const SumPart& part : sum.parts) {
+    of_ring(part.outer);
+    for (const SumRing& hole : part.holes) of_ring(hole);
+  }
+  for (const SumSegment& s : sum.segments) {
+    f(s.from);
+    f(s.to);
+  }
+  for (const SumVertex& v : sum.points) f(v);
+}
+
 class SumSkeleton {
  public:
   /// A ring, a segment (two vertices) or a point (one): vertices first .. first + count - 1.
