@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
+#include <tuple>
 
 #include "dymsum/planar_boolean.h"
 #include "dymsum/scaling_sum.h"
@@ -160,6 +162,43 @@ TEST(ScalingFamily, lists_what_changes_and_what_lives_how_long) {
   }
   EXPECT_EQ(holes, 1u);
   EXPECT_GE(edges, 8u);
+}
+
+TEST(ScalingFamily, lifetimes_are_as_long_as_they_can_be_and_cover_every_sum) {
+  const ScalingFamily family =
+      ScalingFamily::create(shapes::noisy_star(24, 0.6, 5), shapes::gear(5, 0.25, 0.375, 0.03125), ratio_of(3, 4),
+                            ratio_of(3, 2))
+          .value();
+  const std::vector<Lifetime> lives = family.lifetimes().value();
+  ASSERT_GT(family.work().cells, 20u);
+  std::size_t long_ones = 0;
+  std::map<std::tuple<FamilyFeature, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, std::uint64_t,
+                      std::uint32_t, std::uint32_t>,
+           std::uint32_t>
+      last;
+  for (const Lifetime& life : lives) {
+    const auto both = [](const Contact& c) { return std::pair{c.p * 2 + (c.kind == Contact::Kind::edge_of_p), c.q}; };
+    const std::tuple feature{life.feature,          both(life.in).first, both(life.in).second, both(life.out).first,
+                             both(life.out).second, life.hole,           life.corner_p,        life.corner_q};
+    if (const auto before = last.find(feature); before != last.end()) {
+      EXPECT_GT(life.first_cell, before->second + 1) << "it was gone in between";
+    }
+    last[feature] = life.last_cell;
+    long_ones += life.last_cell > life.first_cell + 5;
+  }
+  EXPECT_GT(long_ones, 20u);
+  for (std::uint32_t cell = 1; cell + 1 < family.work().cells; ++cell) {
+    const BigRational s = (value_of(family.events()[cell - 1]) + value_of(family.events()[cell])) / 2;
+    const PlanarSum sum = family.at(scale_at(s)).value();
+    std::size_t vertices = 0, holes = 0;
+    for (const Lifetime& life : lives) {
+      const bool here = life.first_cell <= cell && cell <= life.last_cell;
+      vertices += here && life.feature == FamilyFeature::vertex;
+      holes += here && life.feature == FamilyFeature::hole;
+    }
+    EXPECT_EQ(vertices, sum.vertex_count()) << cell;
+    EXPECT_EQ(holes, sum.hole_count()) << cell;
+  }
 }
 
 TEST(ScalingFamily, inner_and_outer_are_what_holds_for_all_scales_and_for_some) {
