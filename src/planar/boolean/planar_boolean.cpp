@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/poll.h"
+#include "base/scratch.h"
 #include "base/within_memory.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/boolean/boolean_boundary.h"
@@ -18,8 +19,8 @@ namespace {
 using planar::BooleanTerms;
 
 /// Every walk edge of P at the one vertex of Q.
-planar::Soup soup_of(const planar::SumState& state) {
-  planar::Soup soup(*state.lattice, *state.p, *state.q);
+planar::Soup soup_of(const planar::SumState& state, Scratch& scratch) {
+  planar::Soup soup(*state.lattice, *state.p, *state.q, &scratch);
   soup.reserve(state.p->size());
   for (std::uint32_t e = 0; e < state.p->size(); ++e) soup.add({0, e, 0});
   return soup;
@@ -29,7 +30,8 @@ planar::Soup soup_of(const planar::SumState& state) {
 planar::PieceCandidates find_boundary(const BooleanTerms& terms, const planar::JoinedInputs& joined,
                                       const SumOptions& options, planar::SumState& state) {
   Poll poll(options.progress);
-  const planar::Soup soup = soup_of(state);
+  Scratch scratch;
+  const planar::Soup soup = soup_of(state, scratch);
   const planar::SegmentInputs segments = planar::segments_of(joined, *state.p);
   state.stats.reduced_segments = state.stats.live_segments = soup.size();
   poll.stage("crossings");
@@ -48,6 +50,7 @@ planar::PieceCandidates find_boundary(const BooleanTerms& terms, const planar::J
   planar::BooleanBoundary found = planar::boolean_boundary(soup, graph, windings, segments, terms);
   state.boundary = std::move(found.boundary);
   state.stats.loops = state.boundary.rings.size();
+  state.stats.peak_bytes = scratch.peak_bytes();
   poll(1);
   return std::move(found.pieces);
 }
