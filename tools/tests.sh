@@ -117,7 +117,7 @@ python_environment() {
 # The package, on the library that is built already: install_python
 install_python() {
   build/python/venv/bin/pip install -q --disable-pip-version-check --no-build-isolation --no-deps --force-reinstall \
-    -C build-dir=build/python/wheel -C cmake.define.DYMSUM_LIBRARY="$PWD/$release/libdymsum.a" . >&2
+    --config-settings=build-dir=build/python/wheel --config-settings=cmake.define.DYMSUM_LIBRARY="$PWD/$release/libdymsum.a" . >&2
 }
 
 # Builds the Python package and runs its tests; ARGS of pytest select some. check_python ARGS...
