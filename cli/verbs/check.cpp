@@ -57,6 +57,7 @@ Json layouts_json(const CheckCommand& command, const Checked& all, const Timing&
     for (const LayoutFault& fault : check.faults) faults.push_back(fault_json(fault));
     layouts.push_back({{"parts", all.layouts[k].parts.size()},
                        {"pairs", check.pairs},
+                       {"container", all.layouts[k].container.has_value()},
                        {"density", check.density},
                        {"valid", check.valid()},
                        {"faults", std::move(faults)}});
@@ -105,12 +106,23 @@ void write_layout_pictures(const CheckCommand& command, const Checked& all) {
   for (const std::string& file : command.outputs) write_text(file, layout_picture(all.layouts[0], all.checks[0]));
 }
 
+/// Without a container nothing sticks out: that is said, and a margin from it refused.
+void check_layout_container(const CheckCommand& command, const Layout& layout) {
+  if (layout.container) return;
+  if (command.distances.margin > 0)
+    throw Stop(kBadInput,
+               command.file + ": --margin wants a container, and the file has neither strip_height nor bins");
+  std::cerr << command.file
+            << ": no container (neither strip_height nor bins): whether parts stick out is not checked\n";
+}
+
 ExitCode run_layout_check(const CheckCommand& command) {
   for (const std::string& file : command.outputs)
     if (!file.ends_with(".svg")) throw Stop(kUsage, "check writes pictures (.svg), not '" + file + "'");
   Checked all{required(read_layouts(command.file)), {}};
   if (all.layouts.size() != 1 && !command.outputs.empty())
     throw Stop(kUsage, "-o draws one layout, and " + command.file + " has " + std::to_string(all.layouts.size()));
+  for (const Layout& layout : all.layouts) check_layout_container(command, layout);
   ProgressBar bar;
   LayoutCheckOptions options = command.distances;
   options.progress = bar.callback();

@@ -61,9 +61,9 @@ struct LayoutCheck {
 
 /// Exact: touching is allowed, and whether parts overlap or keep a distance is decided by integers, for the
 /// orientations and positions as they are given. Parts without area overlap nothing. Errors: bad_index for a part with
-/// a shape that is not there; out_of_range for negative or infinite distances; those of nfp; cancelled. O(n log n) for
-/// boxes that rarely meet, and for each pair that does the pieces of both boundaries that are near each other; a sum
-/// for each fault.
+/// a shape that is not there; out_of_range for distances that are negative or above 2^400; those of nfp; cancelled. O(n
+/// log n) for boxes that rarely meet, and for each pair that does the pieces of both boundaries that are near each
+/// other; a sum for each fault.
 Result<LayoutCheck> check_layout(const Layout& layout, const LayoutCheckOptions& options = {});
 
 /// The layouts of a file: what jagua-rs and sparrow write, an instance with its solution (docs/guide/nesting.md). One
