@@ -1,7 +1,6 @@
 #include "planar/cspace_slabs.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -23,8 +22,7 @@ constexpr std::size_t kMostCells = std::size_t{1} << 26;
 
 /// The shortest digits that are read as this double.
 std::string digits_of(double v) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, v).ptr};
+  return Json(v).dump();
 }
 
 std::string slab_name(std::size_t k, const char* extension) {
