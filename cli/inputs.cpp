@@ -129,8 +129,17 @@ auto read_planar(const InputOptions& options, Read read) {
 
 }  // namespace
 
-std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options) {
+namespace {
+
+void refuse_options_of_solids(const InputOptions& options) {
   if (options.hull) throw Stop(kUsage, "--hull is for solids");
+  if (!options.planes.empty()) throw Stop(kUsage, "--planes is for solids");
+}
+
+}  // namespace
+
+std::vector<NamedShape> read_all(const std::string& file, const InputOptions& options) {
+  refuse_options_of_solids(options);
   if (is_footprint(file)) return require(parse_shapes(file, RegionFormat::json, "footprint"));
   if (file != "-") return read_planar(options, [&](const ReadOptions& how) { return read_shapes(file, how); });
   const std::string& text = standard_input();
@@ -254,7 +263,7 @@ Input read_input(const std::string& file, const InputOptions& options) {
     throw Stop(kBadInput, shown_file(file) +
                               ": sums, fits and Boolean operations take an exact result, and so do contains, info and "
                               "convert; others take it in doubles, as dymsum convert FILE.json FILE.wkt writes it");
-  if (options.hull) throw Stop(kUsage, "--hull is for solids");
+  refuse_options_of_solids(options);
   if (file != "-" && !is_footprint(file)) {
     const auto read = [&](const ReadOptions& how) { return read_shape(file, how); };
     return require(make_input(read_planar(options, read), file, options));

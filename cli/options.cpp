@@ -209,6 +209,14 @@ void add_solid_input_options(CLI::App& verb, InputOptions& options, OperandKind 
                     "standard error how far the surface was from it" +
                     results)
       ->excludes("--repair");
+  takes(verb.add_flag("--planes{auto}", options.planes,
+                      of + " the faces of each operand as they were meant: plane, and parallel, where they are so to "
+                           "within --planes=TOLERANCE or rounding, and say how far vertices moved")
+            ->excludes("--repair")
+            ->excludes("--hull"),
+        "a positive number", [](const std::string& text) {
+          return text == "auto" || text == "false" || finite_number(text).value_or(-1) > 0;
+        });
   add_from_option(verb, options, kind);
 }
 

@@ -21,9 +21,7 @@ constexpr double kCellsAlong = 256;
 constexpr std::size_t kMostCells = std::size_t{1} << 26;
 
 /// The shortest digits that are read as this double.
-std::string digits_of(double v) {
-  return Json(v).dump();
-}
+std::string digits_of(double v) { return Json(v).dump(); }
 
 std::string slab_name(std::size_t k, const char* extension) {
   const std::string digits = std::to_string(k);

@@ -12,6 +12,7 @@
 #include "dymsum/names.h"
 #include "dymsum/solid_union.h"
 #include "exit_code.h"
+#include "numbers.h"
 #include "repairs.h"
 #include "snapped_operand.h"
 #include "solid/solid_results.h"
@@ -163,9 +164,29 @@ Result<MeshFile> read_mesh_data(const std::string& file, const InputOptions& opt
 
 namespace {
 
+/// The solid by its planes; in doubles where these hold its vertices.
+Result<SolidInput> solid_by_planes(const MeshData& data, const std::string& file, const InputOptions& options,
+                                   ReadingNotes& notes) {
+  PlanesOptions how;
+  if (options.planes != "auto") how.tolerance = finite_number(options.planes);
+  how.known = options.known_axes;
+  Result<SolidByPlanes> made = by_planes(data, how);
+  if (!made) return made.error();
+  notes["planes"] = {{"tolerance", made->tolerance},   {"largest_move", made->largest_move},
+                     {"given_faces", made->faces},     {"faces", made->solid.faces.size()},
+                     {"bent_faces", made->bent_faces}, {"axes", made->axes.size()}};
+  if (!options.quiet) std::cerr << shown_file(file) << ": by planes: " << made->to_string() << "\n";
+  SolidInput input{file, Mesh()};
+  input.axes = std::move(made->axes);
+  if (Result<Mesh> mesh = as_mesh(made->solid)) input.mesh = *std::move(mesh);
+  else input.result = std::move(made->solid);
+  return input;
+}
+
 /// Validates, repairs or takes the hull of lists whose coordinates are as they are to be.
 Result<SolidInput> solid_of(MeshData data, const std::string& file, const InputOptions& options, ReadingNotes& notes) {
   if (options.hull) return hull_of(data, file, options.quiet);
+  if (!options.planes.empty()) return solid_by_planes(data, file, options, notes);
   if (!options.repair()) {
     if (!options.fill.empty()) throw Stop(kUsage, "--fill of solids belongs to --repair");
     Result<Mesh> mesh = options.thin ? Mesh::with_thin_parts(data) : Mesh::create(data);

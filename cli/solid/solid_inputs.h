@@ -20,6 +20,7 @@ struct SolidInput {
   ReadingNotes notes = Json::object();
   /// Of a file that holds an exact one whose vertices no doubles hold; `mesh` is empty then.
   std::optional<SpatialSum> result = {};
+  std::vector<PartAxes> axes = {};  ///< of a solid by its planes
 };
 
 /// Stops with wrong usage for FILE#NAME where FILE is one of a solid.

@@ -10,7 +10,8 @@ namespace dymsum::cli {
 namespace {
 
 void refuse_options_of_doubles(const std::string& file, const InputOptions& options) {
-  const std::pair<bool, const char*> given[] = {{!options.snap.empty(), "--snap"}, {options.hull, "--hull"}};
+  const std::pair<bool, const char*> given[] = {
+      {!options.snap.empty(), "--snap"}, {options.hull, "--hull"}, {!options.planes.empty(), "--planes"}};
   for (const auto& [is_given, name] : given)
     if (is_given)
       throw Stop(kUsage, std::string(name) + " is for coordinates in doubles, and " + shown_file(file) +
@@ -53,7 +54,7 @@ void refuse_fractions(const std::vector<SolidInput>& inputs) {
   for (const SolidInput& input : inputs)
     if (input.result)
       throw Stop(kBadInput, shown_file(input.file) +
-                                ": the vertices of this exact result are fractions, which sum takes, and nfp, erode, "
+                                ": the vertices of this exact result are fractions, which sum, nfp and erode take, and "
                                 "opening, closing and offset as the first operand; others take it in doubles, as "
                                 "dymsum convert FILE.json FILE.off writes it");
 }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "dymsum/solid_union.h"
 #include "report.h"
 #include "solid/solid_limits.h"
 #include "solid/solid_operands.h"
@@ -14,20 +15,32 @@ namespace {
 
 bool is_result(const SolidInput& input) { return input.result.has_value(); }
 
-/// Only sums take results in fractions in any position; others as the first operand, if at all.
-void refuse_results(const SumVerb& verb, const std::vector<SolidInput>& inputs) {
-  if (verb.name == "sum") return;
-  refuse_fractions({inputs.begin() + (verb.result ? 1 : 0), inputs.end()});
+/// The exact result that an input is.
+Result<SpatialSum> result_of(const SolidInput& input, const SpatialOptions& options) {
+  return input.result ? *input.result : united(std::span(&input.mesh, 1), options);
+}
+
+/// The operand of a sum: its second one inside out where the verb says so.
+SolidInput term_of(const SumVerb& verb, SolidInput input, bool second) {
+  if (!second || !verb.reflects_second) return input;
+  if (input.result) input.result = negated(*input.result);
+  else input.mesh = negated(input.mesh);
+  return input;
 }
 
 /// A result first, then all other operands, in their order.
 Result<SpatialSum> sum_with_results(const SumVerb& verb, const std::vector<SolidInput>& inputs,
                                     const SpatialOptions& options) {
-  const auto first = std::find_if(inputs.begin(), inputs.end(), is_result);
-  Result<SpatialSum> sum = *first->result;
-  for (auto input = inputs.begin(); input != inputs.end() && sum; ++input)
-    if (input != first)
-      sum = input->result ? minkowski_sum(*sum, *input->result, options) : verb.result(*sum, input->mesh, options);
+  if (!verb.is_sum) {
+    const Result<SpatialSum> p = result_of(inputs[0], options), q = result_of(inputs[1], options);
+    return !p ? p : !q ? q : verb.result(*p, *q, options);
+  }
+  std::vector<SolidInput> terms;
+  for (const SolidInput& input : inputs) terms.push_back(term_of(verb, input, terms.size() == 1));
+  std::stable_partition(terms.begin(), terms.end(), is_result);
+  Result<SpatialSum> sum = *terms[0].result;
+  for (auto term = terms.begin() + 1; term != terms.end() && sum; ++term)
+    sum = term->result ? minkowski_sum(*sum, *term->result, options) : minkowski_sum(*sum, term->mesh, options);
   return sum;
 }
 
@@ -58,7 +71,7 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   operands.insert(operands.end(), command.more.begin(), command.more.end());
   are_solid(operands, command.input);
   const std::vector<SolidInput> inputs = read_solids_and_results(operands, command.input);
-  refuse_results(verb, inputs);
+  if (!verb.is_sum && !verb.result) refuse_fractions(inputs);
   const auto convex = [](const SolidInput& input) { return input.result || !convexity_error(input.mesh); };
   if (verb.is_sum && inputs.size() == 2 && !std::all_of(inputs.begin(), inputs.end(), convex))
     announce_cost(inputs[0].mesh, inputs[1].mesh);

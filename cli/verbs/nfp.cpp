@@ -23,9 +23,6 @@ void add_nfp(CLI::App& app, Action& action) {
   verb.solid = [](const Mesh& fixed, const Mesh& moving, const SpatialOptions& options) {
     return minkowski_sum(fixed, negated(moving), options);
   };
-  verb.result = [](const SpatialSum& fixed, const Mesh& moving, const SpatialOptions& options) {
-    return minkowski_sum(fixed, negated(moving), options);
-  };
   verb.reflects_second = true;
   verb.is_sum = true;
   verb.names = {"A", "B", "A ⊕ −B"};

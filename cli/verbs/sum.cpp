@@ -18,9 +18,6 @@ void add_sum(CLI::App& app, Action& action) {
     return minkowski_sum(sets, options);
   };
   verb.solid = [](const Mesh& p, const Mesh& q, const SpatialOptions& options) { return minkowski_sum(p, q, options); };
-  verb.result = [](const SpatialSum& p, const Mesh& q, const SpatialOptions& options) {
-    return minkowski_sum(p, q, options);
-  };
   verb.several = true;
   verb.is_sum = true;
   verb.page = "sum";

@@ -30,8 +30,8 @@ struct SumVerb {
   /// The public function it calls, of regions and results: two, or where it takes several more.
   std::function<Result<PlanarSum>(std::span<const PlanarOperand>, const SumOptions&)> planar;
   std::function<Result<SpatialSum>(const Mesh&, const Mesh&, const SpatialOptions&)> solid;  ///< of solids
-  /// The same of an exact result in fractions as the first operand; without it there is no such operand.
-  std::function<Result<SpatialSum>(const SpatialSum&, const Mesh&, const SpatialOptions&)> result;
+  /// The same of exact results, where it is no sum; without it there are no such operands.
+  std::function<Result<SpatialSum>(const SpatialSum&, const SpatialSum&, const SpatialOptions&)> result;
   bool boolean = false;    ///< a Boolean operation, which has no convolution
   bool two_steps = false;  ///< made of two operations: neither has the convolution, nor the stages, of the operands
   /// The sum of any number of solids; without it more than two are added.

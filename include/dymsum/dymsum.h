@@ -55,6 +55,7 @@
 #include "dymsum/shapes.h"
 #include "dymsum/snap_rounding.h"
 #include "dymsum/snapping.h"
+#include "dymsum/solid_by_planes.h"
 #include "dymsum/solid_erosion.h"
 #include "dymsum/solid_offset.h"
 #include "dymsum/solid_rotation_events.h"

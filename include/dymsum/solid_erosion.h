@@ -15,8 +15,9 @@ namespace dymsum {
 /// Cost: that of the sum of A with a box around it, and -B. Errors: as minkowski_sum; unsupported_operand for an empty
 /// B (every position holds it), and where A is too far from the origin to put a box around it.
 Result<SpatialSum> erode(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
-/// The same of the regular part of a sum, unrounded. Errors also: out_of_range, as minkowski_sum of a sum.
+/// The same of the regular part of a sum, or of both, unrounded. Errors also: out_of_range, as minkowski_sum of a sum.
 Result<SpatialSum> erode(const SpatialSum& a, const Mesh& b, const SpatialOptions& options = {});
+Result<SpatialSum> erode(const SpatialSum& a, const SpatialSum& b, const SpatialOptions& options = {});
 
 /// What becomes of positions between two operations that are no doubles.
 enum class BetweenSteps : std::uint8_t {

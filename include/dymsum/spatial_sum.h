@@ -212,6 +212,9 @@ class SpatialSum {
 /// Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
 
+/// { -x : x in S }, exactly, with what is tight. O(n log n).
+SpatialSum negated(const SpatialSum& sum);
+
 /// The regular part of a sum as an operand of further sums: the same set exactly, without what is tight. Errors:
 /// unsupported_operand with the position of a vertex that no doubles hold.
 Result<Mesh> as_mesh(const SpatialSum& sum);

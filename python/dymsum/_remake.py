@@ -89,6 +89,7 @@ sum_locator = SumLocator
 solid_sum = _core.minkowski_sum
 solid_sum_of = _core.minkowski_sum
 solid_erode = _core.erode
+negated = _core.negated
 united = _core.united
 intersection = _core.intersection
 difference = _core.difference

@@ -1,9 +1,13 @@
 // Solids by winding number: unions, other Boolean operations, repair of surfaces that cross.
 #include "dymsum/solid_union.h"
 
+#include <optional>
+#include <vector>
+
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "dymsum/solid_by_planes.h"
 #include "enumeration.h"
 #include "record.h"
 #include "remember.h"
@@ -69,11 +73,43 @@ void bind_of_two(nb::module_& m, const char* name, const char* text) {
       "a"_a, "b"_a, "options"_a = SpatialOptions(), text);
 }
 
+void bind_by_planes(nb::module_& m) {
+  Record<SolidByPlanes>(m, "SolidByPlanes", "A solid whose faces are plane as they were meant, and how far that is.")
+      .field("solid", &SolidByPlanes::solid, "exact, an operand like every result")
+      .field("axes", &SolidByPlanes::axes, "of its parts, other than those of the coordinates")
+      .field("tolerance", &SolidByPlanes::tolerance)
+      .field("largest_move", &SolidByPlanes::largest_move, "no vertex is further from where it was; proved")
+      .field("merged", &SolidByPlanes::merged, "coordinates along an axis that became one with another one")
+      .field("bent_faces", &SolidByPlanes::bent_faces, "polygons in no plane, which became triangles")
+      .field("faces", &SolidByPlanes::faces, "of the data")
+      .def("__str__", &SolidByPlanes::to_string);
+  m.def(
+      "by_planes",
+      [](const MeshDataArgument& data, std::optional<double> tolerance, const std::vector<PartAxes>& known,
+         const SpatialOptions& options) {
+        return run_with(options, [&](const SpatialOptions& own) { return by_planes(*data, {tolerance, known, own}); });
+      },
+      "data"_a, "tolerance"_a = nb::none(), "known"_a = std::vector<PartAxes>(), "options"_a = SpatialOptions(),
+      R"(The solid whose faces are plane and parallel where those of the data are but for rounding, exactly: turned boxes,
+prisms and what is made of them. `known` are axes of other parts, to be shared. Raises Error: out_of_range for a
+tolerance that is too small; not_finite; bad_index; too_few_vertices; not_closed; cancelled; out_of_memory.
+
+>>> from math import cos, sin
+>>> from dymsum import MeshData, by_planes, solids
+>>> box = solids.box(0, 0, 0, 1, 2, 3)
+>>> turned = [(cos(1) * x - sin(1) * y, sin(1) * x + cos(1) * y, z) for x, y, z in box.vertices]
+>>> part = by_planes(MeshData(turned, box.faces))
+>>> len(part.solid.faces), part.largest_move < 1e-11
+(6, True)
+)");
+}
+
 }  // namespace
 
 void bind_solid_union(nb::module_& m) {
   bind_fill(m);
   bind_unions(m);
+  bind_by_planes(m);
   bind_of_two<intersection>(m, "intersection", "What lies in both solids, exactly: closed and regular.");
   m.def(
       "intersection",

@@ -78,6 +78,20 @@ void bind_sums_of_solids(nb::module_& m) {
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(),
       "The same of a sum's regular part, unrounded. Raises Error: out_of_range.");
+  m.def(
+      "erode",
+      [](nb::handle_t<SpatialSum> a, nb::handle_t<SpatialSum> b, const SpatialOptions& options) {
+        const SpatialSum &outer = nb::cast<const SpatialSum&>(a), &part = nb::cast<const SpatialSum&>(b);
+        SpatialSum fit = run_with(options, [&](const SpatialOptions& own) { return erode(outer, part, own); });
+        return remembered(std::move(fit), "solid_erode", a, b, options);
+      },
+      "a"_a, "b"_a, "options"_a = SpatialOptions(), "The same of two sums.");
+  m.def(
+      "negated",
+      [](nb::handle_t<SpatialSum> sum) {
+        return remembered(negated(nb::cast<const SpatialSum&>(sum)), "negated", sum);
+      },
+      "sum"_a, "{ -x : x in the sum }, exactly, with what is tight.");
 }
 
 /// Raises Error: not_finite.

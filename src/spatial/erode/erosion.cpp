@@ -159,12 +159,19 @@ Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOp
   });
 }
 
-Result<SpatialSum> erosion(const ExactSet& a, const MeshData& b, const SpatialOptions& options) {
-  return inside_of(a.set, b, [&](MeshData complement, MeshData reflection) {
+Result<SpatialSum> erosion(const ExactSet& a, const ExactSet& b, const SpatialOptions& options) {
+  return inside_of(a.set, b.set, [&](MeshData complement, MeshData reflection) {
     ExactSet outside = exact_set(std::move(complement));  // of which the frame comes after a
     std::copy(a.at.begin(), a.at.end(), outside.at.begin());
-    return sum_of_exact_sets(outside, exact_set(std::move(reflection)), options);
+    ExactSet inverse = exact_set(std::move(reflection));
+    for (std::size_t v = 0; v < b.at.size(); ++v)
+      for (std::size_t axis = 0; axis < 3; ++axis) inverse.at[v][axis] = -b.at[v][axis];
+    return sum_of_exact_sets(outside, inverse, options);
   });
+}
+
+Result<SpatialSum> erosion(const ExactSet& a, const MeshData& b, const SpatialOptions& options) {
+  return erosion(a, exact_set(b), options);
 }
 
 }  // namespace dymsum::spatial

@@ -8,7 +8,8 @@ namespace dymsum::spatial {
 
 /// The inner fit that erode makes, for surfaces that sum_of_solids takes.
 Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOptions& options);
-/// The same where vertices of `a` are fractions.
+/// The same where vertices of `a`, or of both, are fractions.
 Result<SpatialSum> erosion(const ExactSet& a, const MeshData& b, const SpatialOptions& options);
+Result<SpatialSum> erosion(const ExactSet& a, const ExactSet& b, const SpatialOptions& options);
 
 }  // namespace dymsum::spatial

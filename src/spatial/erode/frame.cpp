@@ -17,7 +17,11 @@ Range range_of(const MeshData& mesh, double Point3::*axis) {
   return range;
 }
 
-bool fits(Range a, Range b) { return !(b.high / 2 - b.low / 2 > (a.high / 2 - a.low / 2) * (1 + 0x1p-40) + 0x1p-1000); }
+/// Ends may be rounded ones, off by an ulp.
+bool fits(Range a, Range b) {
+  const double ulps = 0x1p-50 * std::max({-a.low, a.high, -b.low, b.high});
+  return !(b.high / 2 - b.low / 2 > (a.high / 2 - a.low / 2) * (1 + 0x1p-40) + ulps + 0x1p-1000);
+}
 
 constexpr double kLargestFramed = 0x1p1000;
 

@@ -8,6 +8,7 @@
 #include "exact/orient3.h"
 #include "spatial/erode/erosion.h"
 #include "spatial/sum/face_triangles.h"
+#include "spatial/sum/mapped_sum.h"
 #include "spatial/sum/rounded_surface.h"
 #include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
@@ -28,6 +29,13 @@ Result<SpatialSum> erode(const SpatialSum& a, const Mesh& b, const SpatialOption
   if (b.has_thin_parts()) return Error{ErrorCode::unsupported_operand, kThin, {}};
   if (const Result<Mesh> mesh = as_mesh(a)) return erode(*mesh, b, options);
   return spatial::erosion(spatial::exact_set(a), b.data(), options);
+}
+
+Result<SpatialSum> erode(const SpatialSum& a, const SpatialSum& b, const SpatialOptions& options) {
+  const auto of_meshes = [&](const Mesh& x, const Mesh& y) { return erode(x, y, options); };
+  if (auto inner = spatial::before_mapping(a, b, -1, of_meshes)) return *std::move(inner);
+  const Result<Mesh> mesh = as_mesh(b);
+  return mesh ? erode(a, *mesh, options) : spatial::erosion(spatial::exact_set(a), spatial::exact_set(b), options);
 }
 
 namespace {

@@ -12,6 +12,7 @@
 #include "dymsum/spatial_sum.h"
 #include "spatial/sum/exact_set.h"
 #include "spatial/sum/face_triangles.h"
+#include "spatial/sum/mapped_sum.h"
 #include "spatial/sum/sum_of_convex_solids.h"
 #include "spatial/sum/sum_source.h"
 #include "spatial/sum/touching_vertices.h"
@@ -205,6 +206,16 @@ Result<SpatialSum> sum_of_convex(std::span<const Mesh> operands, const SpatialOp
 
 }  // namespace
 
+namespace {
+
+/// The sum of the two before they were mapped; nothing where no doubles hold these.
+std::optional<Result<SpatialSum>> sum_before_mapping(const SpatialSum& p, const SpatialSum& q,
+                                                     const SpatialOptions& options) {
+  return spatial::before_mapping(p, q, 1, [&](const Mesh& a, const Mesh& b) { return minkowski_sum(a, b, options); });
+}
+
+}  // namespace
+
 Result<Mesh> as_mesh(const SpatialSum& sum) {
   Result<Term> term = as_term(sum, kWhole);
   if (!term) return term.error();
@@ -217,6 +228,7 @@ Result<SpatialSum> minkowski_sum(const SpatialSum& p, const Mesh& q, const Spati
 }
 
 Result<SpatialSum> minkowski_sum(const SpatialSum& p, const SpatialSum& q, const SpatialOptions& options) {
+  if (auto sum = sum_before_mapping(p, q, options)) return *std::move(sum);
   const Result<Mesh> a = as_mesh(p), b = as_mesh(q);
   if (a && b) return minkowski_sum(*a, *b, options);
   return spatial::sum_of_exact_sets(spatial::exact_set(p), spatial::exact_set(q), options);

@@ -26,6 +26,7 @@ struct SpatialPositions {
   int shift = 0;                                  ///< and times 2^shift
   /// Of a sum that was read, which has neither of these: positions (x, y, z) / w.
   std::vector<std::array<exact::BigInteger, 4>> listed;
+  std::shared_ptr<const struct MappedSum> mapped;  ///< of a sum that is the image of another one (mapped_sum.h)
 
   ExactPosition at(std::size_t vertex) const;
   /// The nearest doubles.

@@ -1,0 +1,473 @@
+// Solids by their planes: coordinates along a part's own axes, of which those that are nearly equal become one.
+// docs/design/solid-by-planes.md.
+#include "dymsum/solid_by_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "exact/grid.h"
+#include "exact/orient3.h"
+#include "exact/residue.h"
+#include "spatial/boolean/solid_inside.h"
+#include "spatial/mesh/face_axes.h"
+#include "spatial/mesh/half_edges.h"
+#include "spatial/mesh/mesh_validate.h"
+#include "spatial/mesh/triangulate.h"
+#include "spatial/mesh/vec3.h"
+#include "spatial/sum/mapped_sum.h"
+#include "spatial/sum/sum_source.h"
+
+namespace dymsum {
+
+namespace {
+
+using exact::BigRational;
+using spatial::AffineMap;
+using spatial::FaceAxes;
+using spatial::Vec3;
+
+constexpr FaceAxes kOwnAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+
+double largest_of(const Point3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
+
+/// The box of vertices.
+struct Extent {
+  Point3 low, high;
+  double size() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
+};
+
+Extent extent_of(const std::vector<Point3>& vertices) {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  Extent e{{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
+  for (const Point3& v : vertices) {
+    e.low = {std::min(e.low.x, v.x), std::min(e.low.y, v.y), std::min(e.low.z, v.z)};
+    e.high = {std::max(e.high.x, v.x), std::max(e.high.y, v.y), std::max(e.high.z, v.z)};
+  }
+  return e;
+}
+
+/// Whether coordinates look rounded to single precision: no digits beyond it, and some that need nearly all of it.
+bool in_single_precision(const std::vector<Point3>& vertices, double size) {
+  const double unit = std::ldexp(size, -12);
+  bool long_ones = false;
+  for (const Point3& v : vertices) {
+    for (const double c : {v.x, v.y, v.z}) {
+      if (static_cast<double>(static_cast<float>(c)) != c) return false;
+      long_ones = long_ones || std::remainder(c, std::exp2(std::floor(std::log2(unit)))) != 0;
+    }
+  }
+  return long_ones;
+}
+
+struct Tolerance {
+  double least = 0, value = 0;
+};
+
+Tolerance tolerance_for(const std::vector<Point3>& vertices, const std::optional<double>& wanted) {
+  double largest = 0;
+  for (const Point3& v : vertices) largest = std::max(largest, largest_of(v));
+  const double size = extent_of(vertices).size(), least = largest * 0x1p-46;
+  return {least, wanted.value_or(std::max(least, size * (in_single_precision(vertices, size) ? 0x1p-20 : 0x1p-40)))};
+}
+
+double power_below(double v) { return std::exp2(std::floor(std::log2(v))); }
+
+/// Axes in few digits: their entries times a radius are off by a sixteenth of the tolerance. Entries next to 0 are 0.
+FaceAxes rounded_axes(const FaceAxes& axes, double radius, double tolerance) {
+  const double unit = std::max(power_below(tolerance / (32 * radius)), 0x1p-52), none = tolerance / (8 * radius);
+  FaceAxes result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto entry = [&](double c) { return std::abs(c) <= none ? 0 : std::nearbyint(c / unit) * unit; };
+    result[k] = {entry(axes[k].x), entry(axes[k].y), entry(axes[k].z)};
+    const int zeros = (result[k].x == 0) + (result[k].y == 0) + (result[k].z == 0);
+    const auto whole = [&](double c) { return c > 0 ? 1.0 : c < 0 ? -1.0 : 0.0; };
+    if (zeros == 2) result[k] = {whole(result[k].x), whole(result[k].y), whole(result[k].z)};
+  }
+  return result;
+}
+
+PartAxes public_axes(const FaceAxes& axes) {
+  PartAxes result;
+  for (std::size_t k = 0; k < 3; ++k) result[k] = {axes[k].x, axes[k].y, axes[k].z};
+  return result;
+}
+
+FaceAxes inner_axes(const PartAxes& axes) {
+  FaceAxes result;
+  for (std::size_t k = 0; k < 3; ++k) result[k] = {axes[k].x, axes[k].y, axes[k].z};
+  return result;
+}
+
+/// Values within `width` become one. `rounded` says which one of a sorted run.
+template <class F>
+std::size_t join_values(std::vector<double>& values, double width, F rounded) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::size_t joined = 0;
+  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+    while (last < order.size() && values[order[last]] - values[order[first]] <= width) ++last;
+    std::vector<double> run;
+    for (std::size_t k = first; k < last; ++k) run.push_back(values[order[k]]);
+    const double one = rounded(run);
+    joined += static_cast<std::size_t>(std::unique(run.begin(), run.end()) - run.begin()) - 1;
+    for (std::size_t k = first; k < last; ++k) values[order[k]] = one;
+  }
+  return joined;
+}
+
+/// Of doubles in order the one that occurs most often, with the fewest digits of such.
+double most_usual(const std::vector<double>& run) {
+  double best = run[0];
+  std::size_t most = 0;
+  const auto digits = [](double v) {
+    const std::int64_t m = exact::to_dyadic(v).mantissa;
+    return m < 0 ? -m : m;
+  };
+  for (std::size_t first = 0, last = 0; first < run.size(); first = last) {
+    while (last < run.size() && run[last] == run[first]) ++last;
+    const std::size_t count = last - first;
+    if (count > most || (count == most && digits(run[first]) < digits(best))) best = run[first], most = count;
+  }
+  return best;
+}
+
+/// A part in its own coordinates, which are doubles, and the map back.
+struct Part {
+  MeshData data;  ///< all vertices, those of its faces in its coordinates; faces of others are single vertices
+  AffineMap map;
+  std::size_t merged = 0;
+};
+
+Vec3 solve(const FaceAxes& columns, Vec3 x) {
+  const Vec3 &a = columns[0], &b = columns[1], &c = columns[2];
+  const double det = dot(a, cross(b, c));
+  return (1 / det) * Vec3{dot(x, cross(b, c)), dot(x, cross(c, a)), dot(x, cross(a, b))};
+}
+
+class PartMaker {
+ public:
+  PartMaker(const MeshData& data, double tolerance) : data_(data), tolerance_(tolerance) {}
+
+  Part make(const FaceAxes& columns, const std::vector<std::uint32_t>& faces) const {
+    Part part;
+    part.data.vertices = data_.vertices;
+    part.map.rows = spatial::transposed(columns);
+    const std::vector<std::uint32_t> used = vertices_of(faces);
+    const bool own = spatial::same_linear_part(part.map, AffineMap{});
+    own ? join_in_place(part, used) : join_along(part, columns, used);
+    part.data.faces.assign(data_.faces.size(), Face{0});
+    for (const std::uint32_t f : faces) part.data.faces[f] = data_.faces[f];
+    return part;
+  }
+
+ private:
+  std::vector<std::uint32_t> vertices_of(const std::vector<std::uint32_t>& faces) const {
+    std::vector<bool> used(data_.vertices.size());
+    for (const std::uint32_t f : faces)
+      for (const std::uint32_t v : data_.faces[f]) used[v] = true;
+    std::vector<std::uint32_t> list;
+    for (std::uint32_t v = 0; v < used.size(); ++v)
+      if (used[v]) list.push_back(v);
+    return list;
+  }
+  double width() const { return tolerance_ / 4; }
+
+  void join_in_place(Part& part, const std::vector<std::uint32_t>& used) const {
+    for (double Point3::*axis : {&Point3::x, &Point3::y, &Point3::z}) {
+      std::vector<double> values;
+      for (const std::uint32_t v : used) values.push_back(data_.vertices[v].*axis);
+      part.merged += join_values(values, width(), most_usual);
+      for (std::size_t k = 0; k < used.size(); ++k) part.data.vertices[used[k]].*axis = values[k];
+    }
+  }
+
+  /// Values are multiples of a unit from the midpoint between the smallest and the largest on, so that what is
+  /// symmetric stays so.
+  void join_along(Part& part, const FaceAxes& columns, const std::vector<std::uint32_t>& used) const {
+    const double unit = power_below(tolerance_ / 16);
+    const Extent box = extent_of(data_.vertices);
+    const auto midpoint = [&](double a, double b) { return std::nearbyint((a / 2 + b / 2) / unit) * unit; };
+    const Vec3 from{midpoint(box.low.x, box.high.x), midpoint(box.low.y, box.high.y), midpoint(box.low.z, box.high.z)};
+    std::array<std::vector<double>, 3> along;
+    for (const std::uint32_t v : used) {
+      const Point3& p = data_.vertices[v];
+      const Vec3 u = solve(columns, Vec3{p.x, p.y, p.z} - from);
+      along[0].push_back(u.x), along[1].push_back(u.y), along[2].push_back(u.z);
+    }
+    Vec3 shift = from;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::vector<double>& values = along[axis];
+      const auto [low, high] = std::minmax_element(values.begin(), values.end());
+      const double center = *low / 2 + *high / 2;
+      for (double& v : values) v -= center;
+      part.merged += join_values(values, width(), [&](const std::vector<double>& run) {
+        return std::nearbyint((run.front() / 2 + run.back() / 2) / unit) * unit;
+      });
+      shift = shift + center * columns[axis];
+    }
+    for (std::size_t k = 0; k < used.size(); ++k) part.data.vertices[used[k]] = {along[0][k], along[1][k], along[2][k]};
+    const double at[3] = {shift.x, shift.y, shift.z};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      part.map.shift[axis] = exact::exact_value(std::nearbyint(at[axis] / unit) * unit);
+  }
+
+  const MeshData& data_;
+  double tolerance_;
+};
+
+/// Whether all vertices of a face lie in one plane.
+bool is_plane(const std::vector<Point3>& at, const Face& face) {
+  const Point3& a = at[face[0]];
+  std::size_t i = 1;
+  while (i < face.size() && at[face[i]] == a) ++i;
+  std::size_t j = i + 1;
+  while (j < face.size() && exact::collinear(a, at[face[i]], at[face[j]])) ++j;
+  for (std::size_t k = j + 1; k < face.size(); ++k)
+    if (exact::orient3_sign(a, at[face[i]], at[face[j]], at[face[k]]) != 0) return false;
+  return true;
+}
+
+exact::Residue residue_of(double v) {
+  const exact::Dyadic d = exact::to_dyadic(v);
+  const exact::Residue size = exact::folded(static_cast<exact::u128>(d.mantissa < 0 ? -d.mantissa : d.mantissa));
+  const exact::Residue shifted = exact::times(size, exact::Residue{1} << ((d.exponent % 61 + 61) % 61));  // 2^61 is 1
+  return d.mantissa < 0 ? exact::minus(0, shifted) : shifted;
+}
+
+/// How many planes through the origin the faces' planes are parallel to; two may count as one with a chance of 2^-61.
+/// The fewer, the more of what was meant.
+std::size_t directions_of(const Part& part, const std::vector<std::uint32_t>& faces) {
+  using exact::minus, exact::times;
+  std::vector<std::array<exact::Residue, 3>> directions;
+  const auto residues = [&](std::uint32_t v) {
+    const Point3& p = part.data.vertices[v];
+    return std::array{residue_of(p.x), residue_of(p.y), residue_of(p.z)};
+  };
+  for (const std::uint32_t f : faces) {
+    const Face& face = part.data.faces[f];
+    const auto a = residues(face[0]);
+    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+      const auto b = residues(face[k]), c = residues(face[k + 1]);
+      std::array<exact::Residue, 3> u, v;
+      for (std::size_t i = 0; i < 3; ++i) u[i] = minus(b[i], a[i]), v[i] = minus(c[i], a[i]);
+      std::array<exact::Residue, 3> n{minus(times(u[1], v[2]), times(u[2], v[1])),
+                                      minus(times(u[2], v[0]), times(u[0], v[2])),
+                                      minus(times(u[0], v[1]), times(u[1], v[0]))};
+      const auto leading = std::find_if(n.begin(), n.end(), [](exact::Residue r) { return r != 0; });
+      if (leading == n.end()) continue;  // no area
+      const exact::Residue by = exact::inverse(*leading);
+      for (exact::Residue& r : n) r = times(r, by);
+      directions.push_back(n);
+    }
+  }
+  std::sort(directions.begin(), directions.end());
+  return static_cast<std::size_t>(std::unique(directions.begin(), directions.end()) - directions.begin());
+}
+
+/// Faces by the axes of their shells.
+struct FacesOfAxes {
+  FaceAxes axes;
+  std::vector<std::uint32_t> faces;
+};
+
+class ByPlanes {
+ public:
+  ByPlanes(const MeshData& data, const PlanesOptions& options, double tolerance)
+      : data_(data), options_(options), tolerance_(tolerance) {
+    const Extent box = extent_of(data.vertices);
+    radius_ = std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z) / 2;
+    for (const PartAxes& axes : options.known) known_.push_back(inner_axes(axes));
+  }
+
+  Result<SolidByPlanes> run() {
+    sort_by_axes();
+    const PartMaker maker(data_, tolerance_);
+    std::vector<Part> parts;
+    for (const FacesOfAxes& group : groups_) parts.push_back(maker.make(group.axes, group.faces));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      result_.merged += parts[k].merged;
+      for (const std::uint32_t f : groups_[k].faces)
+        result_.bent_faces += !is_plane(parts[k].data.vertices, data_.faces[f]);
+    }
+    Result<SpatialSum> solid = parts.size() == 1 ? united_part(parts[0]) : united_parts(parts);
+    if (!solid) return solid.error();
+    result_.solid = *std::move(solid);
+    result_.tolerance = tolerance_, result_.faces = data_.faces.size();
+    for (std::size_t k = 0; k < parts.size(); ++k) measure_moves(parts[k], groups_[k].faces);
+    return std::move(result_);
+  }
+
+ private:
+  /// The axes along which the faces of a shell lie in planes of the fewest directions: those that are known, else the
+  /// coordinates' own, where they do as well as those that were found. Where own axes are none of the found ones that
+  /// is chance, of a few rounded vertices, and other parts would not share it.
+  FaceAxes chosen(const FaceAxes& found, const std::vector<std::uint32_t>& shell) {
+    const double angle = tolerance_ / (8 * radius_);
+    std::vector<FaceAxes> candidates = known_;
+    if (spatial::share_an_axis(found, kOwnAxes, angle)) candidates.push_back(kOwnAxes);
+    if (std::none_of(candidates.begin(), candidates.end(),
+                     [&](const FaceAxes& axes) { return spatial::same_axes(found, axes, angle); }))
+      candidates.push_back(rounded_axes(found, radius_, tolerance_));
+    const PartMaker maker(data_, tolerance_);
+    std::size_t best = 0, fewest = std::numeric_limits<std::size_t>::max();
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      const std::size_t directions = directions_of(maker.make(candidates[k], shell), shell);
+      if (directions < fewest) best = k, fewest = directions;
+    }
+    const FaceAxes axes = candidates[best];
+    if (best >= known_.size() && !spatial::same_linear_part({axes, {}}, {kOwnAxes, {}})) known_.push_back(axes);
+    return axes;
+  }
+
+  void sort_by_axes() {
+    const spatial::Shells shells = spatial::find_shells(spatial::half_edges(data_.faces));
+    std::vector<std::vector<std::uint32_t>> faces(shells.count);
+    for (std::uint32_t f = 0; f < data_.faces.size(); ++f) faces[shells.of_face[f]].push_back(f);
+    std::vector<std::uint32_t> without;  // as pieces of a surface that does not close by its vertices alone
+    for (const std::vector<std::uint32_t>& shell : faces) {
+      const std::optional<FaceAxes> found = spatial::face_axes(data_, shell, tolerance_ / 4);
+      if (!found) without.insert(without.end(), shell.begin(), shell.end());
+      else add_faces(chosen(*found, shell), shell);
+    }
+    if (without.empty()) return list_axes();
+    const auto most = std::max_element(groups_.begin(), groups_.end(), [](const FacesOfAxes& a, const FacesOfAxes& b) {
+      return a.faces.size() < b.faces.size();
+    });
+    add_faces(most == groups_.end() ? kOwnAxes : most->axes, without);
+    list_axes();
+  }
+  void add_faces(const FaceAxes& axes, const std::vector<std::uint32_t>& faces) {
+    auto group = std::find_if(groups_.begin(), groups_.end(), [&](const FacesOfAxes& g) {
+      return spatial::same_linear_part({g.axes, {}}, {axes, {}});
+    });
+    if (group == groups_.end()) group = groups_.insert(group, FacesOfAxes{axes, {}});
+    group->faces.insert(group->faces.end(), faces.begin(), faces.end());
+  }
+  void list_axes() {
+    for (const FacesOfAxes& group : groups_)
+      if (!spatial::same_linear_part({group.axes, {}}, {kOwnAxes, {}})) result_.axes.push_back(public_axes(group.axes));
+  }
+
+  Result<SpatialSum> united_part(const Part& part) const {
+    Result<SpatialSum> base = spatial::solid_inside(part.data, {}, options_.sums);
+    if (!base) return base;
+    const bool own = spatial::same_linear_part(part.map, AffineMap{});
+    return own ? std::move(base) : spatial::mapped_sum(*std::move(base), part.map);
+  }
+
+  /// Parts with axes of their own meet as exact sets.
+  Result<SpatialSum> united_parts(const std::vector<Part>& parts) const {
+    spatial::ExactSet all;
+    std::vector<std::uint32_t> face;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const auto first = static_cast<std::uint32_t>(all.at.size());
+      for (const Point3& v : parts[k].data.vertices) {
+        all.at.push_back(image(parts[k].map, v));
+        const auto c = [&](std::size_t axis) { return exact::round_to_double(all.at.back()[axis]); };
+        all.set.vertices.push_back({c(0), c(1), c(2)});
+      }
+      for (const std::uint32_t f : groups_[k].faces) {
+        const std::vector<Point3>& at = parts[k].data.vertices;
+        for (const auto& [a, b, c] :
+             spatial::triangulated(at, data_.faces[f], spatial::average_view(at, data_.faces[f]))) {
+          if (exact::collinear(at[a], at[b], at[c])) continue;
+          all.set.faces.push_back({first + a, first + b, first + c});
+          face.push_back(f);
+        }
+      }
+    }
+    Result<SpatialSum> solid = spatial::solid_inside(all, {}, options_.sums);
+    if (!solid) return solid;
+    SpatialSum named = *std::move(solid);
+    name_faces(named, face);
+    return named;
+  }
+  /// Of triangles the faces that they are of.
+  static void name_faces(SpatialSum& solid, const std::vector<std::uint32_t>& face) {
+    for (SpatialFace& f : solid.faces)
+      if (f.p.kind == SolidFeature::Kind::face) f.p.a = face[f.p.a];
+  }
+
+  static spatial::ExactPosition image(const AffineMap& map, const Point3& u) {
+    const BigRational x = exact::exact_value(u.x), y = exact::exact_value(u.y), z = exact::exact_value(u.z);
+    spatial::ExactPosition at;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Vec3& row = map.rows[axis];
+      at[axis] = exact::exact_value(row.x) * x + exact::exact_value(row.y) * y + exact::exact_value(row.z) * z +
+                 map.shift[axis];
+    }
+    return at;
+  }
+
+  void measure_moves(const Part& part, const std::vector<std::uint32_t>& faces) {
+    std::vector<bool> seen(data_.vertices.size());
+    for (const std::uint32_t f : faces) {
+      for (const std::uint32_t v : data_.faces[f]) {
+        if (seen[v]) continue;
+        seen[v] = true;
+        const spatial::ExactPosition at = image(part.map, part.data.vertices[v]);
+        const Point3& from = data_.vertices[v];
+        const auto off = [&](std::size_t axis, double c) {
+          return exact::round_to_double(BigRational(at[axis] - exact::exact_value(c)));
+        };
+        const double moved = std::hypot(off(0, from.x), off(1, from.y), off(2, from.z));
+        result_.largest_move = std::max(result_.largest_move, moved * (1 + 0x1p-48));  // above what was rounded
+      }
+    }
+  }
+
+  const MeshData& data_;
+  const PlanesOptions& options_;
+  double tolerance_, radius_ = 0;
+  std::vector<FaceAxes> known_;
+  std::vector<FacesOfAxes> groups_;
+  SolidByPlanes result_;
+};
+
+Error no_tolerance(const Tolerance& tolerance) {
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "a tolerance of %.3g moves no vertex to its planes: it must be at least %.3g, 64 units in the last place "
+      "of the largest coordinate",
+      tolerance.value, tolerance.least);
+  return {ErrorCode::out_of_range, text, {}};
+}
+
+}  // namespace
+
+std::string SolidByPlanes::to_string() const {
+  char moved[96];
+  std::snprintf(moved, sizeof moved, "; no vertex moved by more than %.2g (allowed: %.2g)", largest_move, tolerance);
+  const auto counted = [](std::size_t n, const std::string& noun) {
+    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+  };
+  return counted(faces, "face") + " became " + std::to_string(solid.faces.size()) +
+         (axes.empty()
+              ? ""
+              : ", along axes of " + (axes.size() == 1 ? "their own" : std::to_string(axes.size()) + " parts")) +
+         (bent_faces == 0 ? "" : "; " + counted(bent_faces, "polygon") + " in no plane split into triangles") + moved;
+}
+
+Result<SolidByPlanes> by_planes(const MeshData& data, const PlanesOptions& options) {
+  if (auto error = spatial::check_finite(data.vertices)) return *std::move(error);
+  if (auto error = spatial::check_indices(data)) return *std::move(error);
+  for (std::size_t f = 0; f < data.faces.size(); ++f) {
+    if (data.faces[f].size() >= 3) continue;
+    Error error{ErrorCode::too_few_vertices, "a face has fewer than three vertices", {}};
+    error.evidence.face = static_cast<std::int64_t>(f);
+    return error;
+  }
+  if (data.faces.empty()) return SolidByPlanes{};
+  const Tolerance tolerance = tolerance_for(data.vertices, options.tolerance);
+  if (!(tolerance.value >= tolerance.least && tolerance.value > 0) || !std::isfinite(tolerance.value))
+    return no_tolerance(tolerance);
+  return ByPlanes(data, options, tolerance.value).run();
+}
+
+}  // namespace dymsum
