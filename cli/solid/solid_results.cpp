@@ -36,9 +36,7 @@ SpatialSum read_solid_result(const std::string& file, const InputOptions& option
   refuse_options_of_doubles(file, options);
   Result<SpatialSum> sum = file == "-" ? parse_solid_sum(standard_input(), "standard input") : read_solid_sum(file);
   if (sum) return *std::move(sum);
-  Error error = sum.error();
-  if (error.code == ErrorCode::out_of_range) error.message += " (written as .off as well, the result is an operand)";
-  stop_with(error);
+  stop_with(sum.error());
 }
 
 SolidInput result_operand(const std::string& file, const InputOptions& options) {

@@ -68,8 +68,6 @@ ExitCode run(const TwoSteps& steps, const OpeningCommand& command) {
                                                      : steps.solid(run.inputs[0].mesh, tool, options, between);
     if (!made) {
       Error error = made.error();
-      if (error.code == ErrorCode::out_of_range && !command.round_between)
-        error.message += " (--round-between rounds what is between the two operations)";
       if (error.code == ErrorCode::rounding_changed_topology && command.round_between)
         error.message += " (of what is between the two operations)";
       return error;

@@ -15,14 +15,13 @@ namespace dymsum {
 /// Cost: that of the sum of A with a box around it, and -B. Errors: as minkowski_sum; unsupported_operand for an empty
 /// B (every position holds it), and where A is too far from the origin to put a box around it.
 Result<SpatialSum> erode(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
-/// The same of the regular part of a sum, or of both, unrounded. Errors also: out_of_range, as minkowski_sum of a sum.
+/// The same of the regular part of a sum, or of both, unrounded.
 Result<SpatialSum> erode(const SpatialSum& a, const Mesh& b, const SpatialOptions& options = {});
 Result<SpatialSum> erode(const SpatialSum& a, const SpatialSum& b, const SpatialOptions& options = {});
 
 /// What becomes of positions between two operations that are no doubles.
 enum class BetweenSteps : std::uint8_t {
-  exact,    ///< they are fractions, and the result is exact (the default). Error out_of_range with the position where
-            ///< all of them, in units of their common denominator, need more than 8,192 bits
+  exact,    ///< they are fractions, and the result is exact (the default)
   rounded,  ///< each coordinate to the nearest double, or where nothing is tight and faces cross then, as
             ///< SpatialSum::rounded; SolidOpening reports how far that moved them. Error rounding_changed_topology with
             ///< the position where that leaves less of a tight face or segment, or faces cross beside tight features
@@ -42,7 +41,7 @@ struct SolidOpening {
 Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions& options = {},
                              BetweenSteps between = BetweenSteps::exact);
 
-/// The same of the regular part of a sum. Errors also: out_of_range, as minkowski_sum of a sum.
+/// The same of the regular part of a sum.
 Result<SolidOpening> opening(const SpatialSum& a, const Mesh& b, const SpatialOptions& options = {},
                              BetweenSteps between = BetweenSteps::exact);
 

@@ -40,7 +40,7 @@ struct SolidOffset {
 /// as above, and for the distance 0; else as minkowski_sum and erode.
 Result<SolidOffset> offset(const Mesh& mesh, double distance, double tolerance, OffsetBound bound = OffsetBound::inside,
                            const SpatialOptions& options = {});
-/// The same of the regular part of a sum, unrounded. Errors also: out_of_range, as minkowski_sum of a sum.
+/// The same of the regular part of a sum, unrounded.
 Result<SolidOffset> offset(const SpatialSum& sum, double distance, double tolerance,
                            OffsetBound bound = OffsetBound::inside, const SpatialOptions& options = {});
 

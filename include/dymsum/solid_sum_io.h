@@ -23,9 +23,8 @@ bool names_solid_sum(const std::string& path);
 /// vertices and the indices in its lists. It equals the sum that was written, has its provenance, and is written as the
 /// same text; is_convex is false for it. That the faces bound a solid and are its canonical ones is decided by winding
 /// numbers, exactly. Errors: malformed, with the line, and of what is no result with the face, or a vertex; for
-/// coordinates of more than 20,000 characters too; unsupported_operand for coordinates beyond 2^1000; out_of_range,
-/// with a vertex, where vertices in units of their common denominator need more than 8,192 bits; truncated. Cost: that
-/// of the union of the faces.
+/// coordinates of more than 20,000 characters too; unsupported_operand for coordinates beyond 2^1000; truncated. Cost:
+/// that of the union of the faces.
 Result<SpatialSum> parse_solid_sum(std::string_view text, std::string_view name_for_errors);
 /// The same of a file; "-" is standard input, .gz is unpacked. Errors: cannot_open; as above.
 Result<SpatialSum> read_solid_sum(const std::string& path);

@@ -220,9 +220,10 @@ SpatialSum negated(const SpatialSum& sum);
 Result<Mesh> as_mesh(const SpatialSum& sum);
 
 /// The sum of the regular part of a sum and a solid, or another sum's: nothing is rounded, whatever fractions the
-/// vertices are. Where they are no doubles, signs are those of integers in units of the common denominator of all
-/// vertices. Faces name triangles and vertices of the operands as as_mesh would number them. Errors: as minkowski_sum;
-/// out_of_range with a position where these integers need more than 8,192 bits.
+/// vertices are. Where they are no doubles, signs are those of integers over a common denominator of all vertices, or
+/// where that is long of fractions with denominators of their own, of any length. Faces name triangles and vertices of
+/// the operands as as_mesh would number them; of two operands by the same planes (by_planes), those of what they were
+/// before they were mapped. Errors: as minkowski_sum.
 Result<SpatialSum> minkowski_sum(const SpatialSum& p, const Mesh& q, const SpatialOptions& options = {});
 Result<SpatialSum> minkowski_sum(const SpatialSum& p, const SpatialSum& q, const SpatialOptions& options = {});
 
@@ -231,7 +232,7 @@ Result<SpatialSum> minkowski_sum(const SpatialSum& p, const SpatialSum& q, const
 /// then those with thin parts. Sums in between are operands, without what is tight; as the open sum of three takes
 /// nothing from that, nothing is lost. Two whose sum doubles hold, in units of a common denominator of at most 2^52,
 /// are added first; where there are none, vertices in between are fractions, as above. Faces name features of the last
-/// two. Errors: as minkowski_sum; out_of_range as above, with the number of operands that were added in the message.
+/// two. Errors: as minkowski_sum, with the number of operands that were added in the message.
 /// Cost: that of all sums in between, and of those that are tried.
 Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOptions& options = {});
 

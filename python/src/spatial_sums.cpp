@@ -48,7 +48,7 @@ void bind_sums_of_solids(nb::module_& m) {
         return remembered(std::move(sum), "solid_sum", p, q.object, options);
       },
       "p"_a, "q"_a, "options"_a = SpatialOptions(),
-      "The sum of a sum's regular part and a solid, unrounded. Raises Error: out_of_range.");
+      "The sum of a sum's regular part and a solid, unrounded.");
   m.def(
       "minkowski_sum",
       [](nb::handle_t<SpatialSum> p, nb::handle_t<SpatialSum> q, const SpatialOptions& options) {
@@ -77,7 +77,7 @@ void bind_sums_of_solids(nb::module_& m) {
         return remembered(std::move(fit), "solid_erode", a, b.object, options);
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(),
-      "The same of a sum's regular part, unrounded. Raises Error: out_of_range.");
+      "The same of a sum's regular part, unrounded.");
   m.def(
       "erode",
       [](nb::handle_t<SpatialSum> a, nb::handle_t<SpatialSum> b, const SpatialOptions& options) {
@@ -148,7 +148,8 @@ void bind_opening(nb::module_& m) {
         return run_with(options, [&](const SpatialOptions& own) { return opening(*a, *b, own, between); });
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
-      R"doc((A (-) B) (+) B: the union of all x + B inside A. Raises Error: out_of_range; of rounded steps rounding_changed_topology.
+      R"doc((A (-) B) (+) B: the union of all x + B inside A. Raises Error: of rounded steps
+rounding_changed_topology.
 
 >>> from dymsum import opening, solids
 >>> ell = solids.prism([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)], 1)

@@ -52,9 +52,7 @@ SolidOperand surface_operand(const MeshData& surface) {
 }
 
 /// The same of triangles, at exact positions.
-Result<SolidOperand> surface_operand(const CommonGrid& grid, const ExactSet& surface) {
-  Result<std::vector<ExactVertex>> exact = vertices_on(grid, surface);
-  if (!exact) return exact.error();
+SolidOperand surface_operand(const CommonGrid& grid, const ExactSet& surface) {
   SolidOperand operand;
   operand.vertices = surface.set.vertices;
   for (std::uint32_t f = 0; f < surface.set.faces.size(); ++f) {
@@ -63,7 +61,7 @@ Result<SolidOperand> surface_operand(const CommonGrid& grid, const ExactSet& sur
     operand.face.push_back(f);
   }
   operand.first_plate = static_cast<std::uint32_t>(operand.triangles.size());
-  operand.exact = *std::move(exact), operand.exponent = grid.unit();
+  operand.exact = vertices_on(grid, surface), operand.exponent = grid.unit();
   return operand;
 }
 
@@ -179,20 +177,17 @@ Result<SpatialSum> solid_inside(const MeshData& data, InsideRule rule, const Spa
 
 Result<SpatialSum> solid_inside(const ExactSet& data, InsideRule rule, const SpatialOptions& options) {
   const ExactSet* const sets[]{&data};
-  const Result<CommonGrid> grid = common_grid(sets);
-  if (!grid) return grid.error();
-  const Result<SolidOperand> surface = surface_operand(*grid, data);
-  if (!surface) return surface.error();
-  Result<SpatialSum> inside = inside_of(*surface, rule, options);
+  const CommonGrid grid = common_grid(sets);
+  Result<SpatialSum> inside = inside_of(surface_operand(grid, data), rule, options);
   if (!inside) {
     Error error = inside.error();
-    const double by = exact::round_to_double(grid->scale, exact::BigInteger(1) << grid->shift());
+    const double by = exact::round_to_double(grid.scale, exact::BigInteger(1) << grid.shift());
     for (std::optional<double>* c : {&error.evidence.x, &error.evidence.y, &error.evidence.z})
       if (*c) **c /= by;
     return error;
   }
   SpatialSum made = *std::move(inside);
-  unscale(made, grid->scale, grid->shift());
+  unscale(made, grid.scale, grid.shift());
   return made;
 }
 

@@ -21,7 +21,7 @@ struct InsideRule {
 
 /// Statement, errors and cost: united in solid_union.h. Method: docs/design/solid-union.md.
 Result<SpatialSum> solid_inside(const MeshData& surface, InsideRule rule, const SpatialOptions& options);
-/// The same of triangles with area whose vertices are fractions. Error out_of_range too: as sum_of_exact_sets.
+/// The same of triangles with area whose vertices are fractions.
 Result<SpatialSum> solid_inside(const ExactSet& surface, InsideRule rule, const SpatialOptions& options);
 
 }  // namespace dymsum::spatial

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "exact/binary_parts.h"
+#include "exact/fraction.h"
 #include "spatial/mesh/fine_coordinate.h"
 #include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/rounded_vector.h"
@@ -75,6 +76,25 @@ std::vector<Vector3<Big>> shortened(const std::vector<Vector3<Big>>& points) {
   return result;
 }
 
+using exact::Fraction;
+using exact::RootValue;
+
+/// Numbers whose signs cost so much that intervals of seventy digits are asked first.
+template <class C>
+constexpr bool kHasWide = std::is_same_v<C, RootValue> || std::is_same_v<C, Fraction>;
+
+/// Whether every coordinate has a residue: no denominator is a multiple of the prime.
+template <class C>
+bool have_residues(const std::vector<Vector3<C>>& points) {
+  if constexpr (std::is_same_v<C, Fraction>) {
+    const auto has_none = [](const Fraction& c) { return exact::residue(Big(c.below())) == 0; };
+    return std::none_of(points.begin(), points.end(), [&](const Vector3<Fraction>& v) {
+      return has_none(v.x) || has_none(v.y) || has_none(v.z);
+    });
+  }
+  return true;
+}
+
 static_assert(widths_hold<26>() && widths_hold<61>() && widths_hold<72>() && widths_hold<124>() && widths_hold<250>());
 
 }  // namespace
@@ -84,11 +104,14 @@ GridSpace<C>::GridSpace(std::vector<Point> p, std::vector<Point> q, int bits, co
     : p_int_(std::move(p)), q_int_(std::move(q)), bits_(bits) {
   std::copy(std::begin(lines), std::end(lines), lines_);
   balance_axes();
+  // Without residues of all, none has one: equal values have equal ones.
+  const bool has_residues = have_residues(p_int_) && have_residues(q_int_);
   const auto fill = [&](const std::vector<Point>& from, std::vector<Vec3>& to,
                         std::vector<std::array<exact::Residue, 3>>& residues) {
     for (const Point& v : from) {
       to.push_back(near(v));
-      residues.push_back({exact::residue(v.x), exact::residue(v.y), exact::residue(v.z)});
+      if (has_residues) residues.push_back({exact::residue(v.x), exact::residue(v.y), exact::residue(v.z)});
+      else residues.push_back({0, 0, 0});
     }
   };
   if constexpr (std::is_same_v<C, Big>) p_short_ = shortened(p_int_), q_short_ = shortened(q_int_);
@@ -144,7 +167,8 @@ template <class C>
 Vector3<typename GridSpace<C>::Edge> GridSpace<C>::direction(DirectionSource w) const {
   const auto between = [&](const std::vector<Point>& points, const std::vector<Point>& shorter) {
     const std::vector<Point>& of = shorter.empty() ? points : shorter;
-    return of[w.to] - of[w.from];
+    if constexpr (std::is_same_v<C, Fraction>) return exact::integral(of[w.to] - of[w.from]);
+    else return of[w.to] - of[w.from];
   };
   if (w.of == DirectionSource::Of::p) return between(p_int_, p_short_);
   if (w.of == DirectionSource::Of::q) return between(q_int_, q_short_);
@@ -209,7 +233,7 @@ void GridSpace<C>::set_plane(PlaneId id, const PlaneSource& source) {
 namespace {
 
 template <class C>
-constexpr bool kOneType = std::is_same_v<C, Big> || std::is_same_v<C, exact::RootValue>;
+constexpr bool kOneType = std::is_same_v<C, Big> || kHasWide<C>;
 
 }  // namespace
 
@@ -283,7 +307,7 @@ const FineSpace* GridSpace<C>::fine() const {
         std::vector<FineSpace::Vector> result;
         result.reserve(points.size());
         const auto coordinate = [&](const C& c, int axis) {
-          if constexpr (std::is_same_v<C, exact::RootValue>) return fine_coordinate(c, shift_[axis] - top);
+          if constexpr (kHasWide<C>) return fine_coordinate(c, shift_[axis] - top);
           else return fine_coordinate(exact::to_big(c), shift_[axis] - top);
         };
         for (const Point& v : points) result.push_back({coordinate(v.x, 0), coordinate(v.y, 1), coordinate(v.z, 2)});
@@ -297,7 +321,7 @@ const FineSpace* GridSpace<C>::fine() const {
 
 template <class C>
 const WideSpace* GridSpace<C>::wide() const {
-  if constexpr (std::is_same_v<C, exact::RootValue>) {
+  if constexpr (kHasWide<C>) {
     std::call_once(wide_once_, [&] {
       const int top = std::ilogb(span_) + 1;
       const auto of = [&](const std::vector<Point>& points) {
@@ -323,7 +347,7 @@ std::optional<int> GridSpace<C>::by_intervals(Query query) const {
       return s;
     }
   }
-  if constexpr (std::is_same_v<C, exact::RootValue>) {
+  if constexpr (kHasWide<C>) {
     if (const std::optional<int> s = query(*wide())) {
       count(exact::Rung::integers);
       return s;
@@ -495,17 +519,39 @@ Approx GridSpace<C>::exact_approximation(const PointSource& point) const {
   });
 }
 
+namespace {
+
+template <class X, class W>
+exact::BigRational quotient(const X& x, const W& w) {
+  return exact::ratio(exact::to_big(x), exact::to_big(w));
+}
+exact::BigRational quotient(const Fraction& x, const Fraction& w) {
+  return exact::ratio(Big(x.above() * w.below()), Big(x.below() * w.above()));
+}
+
+template <class X, class W>
+std::array<exact::BigInteger, 4> integers_of(const Vector3<X>& x, const W& w) {
+  return {exact::to_big(x.x).value(), exact::to_big(x.y).value(), exact::to_big(x.z).value(), exact::to_big(w).value()};
+}
+std::array<exact::BigInteger, 4> integers_of(const Vector3<Fraction>& x, const Fraction& w) {
+  exact::BigInteger below = w.below();
+  for (const Fraction* c : {&x.x, &x.y, &x.z})
+    if (c->below() != below) below = lcm(below, c->below());
+  const auto whole = [&](const Fraction& c) { return exact::BigInteger(c.above() * (below / c.below())); };
+  return {whole(x.x), whole(x.y), whole(x.z), whole(w)};
+}
+
+}  // namespace
+
 template <class C>
 exact::BigRational GridSpace<C>::exact_coordinate(const PointSource& point, int axis) const {
-  return with_point(
-      point, [&](const auto& h) { return exact::ratio(exact::to_big(component(h.x, axis)), exact::to_big(h.w)); });
+  return with_point(point, [&](const auto& h) { return quotient(component(h.x, axis), h.w); });
 }
 
 template <class C>
 std::array<exact::BigInteger, 4> GridSpace<C>::homogeneous(const PointSource& point) const {
   return with_point(point, [&](const auto& h) {
-    std::array<exact::BigInteger, 4> v{exact::to_big(h.x.x).value(), exact::to_big(h.x.y).value(),
-                                       exact::to_big(h.x.z).value(), exact::to_big(h.w).value()};
+    std::array<exact::BigInteger, 4> v = integers_of(h.x, h.w);
     if (v[3].sign() < 0)
       for (exact::BigInteger& c : v) c = -c;
     return v;
@@ -543,7 +589,7 @@ std::optional<PointSource> GridSpace<C>::add_position(const std::array<exact::Bi
   return PointSource{PointSource::Kind::position, static_cast<std::uint32_t>(positions_.size() - 1), 0, 0};
 }
 
-// Every width of coordinates that make_sum_space and make_root_space choose from.
+// Every width of coordinates that make_sum_space and the others choose from.
 template class GridSpace<Int<26>>;
 template class GridSpace<Int<61>>;
 #ifndef __EMSCRIPTEN__  // kWidthOf72
@@ -552,6 +598,7 @@ template class GridSpace<Int<72>>;
 template class GridSpace<Int<124>>;
 template class GridSpace<Int<250>>;
 template class GridSpace<Big>;
-template class GridSpace<exact::RootValue>;
+template class GridSpace<RootValue>;
+template class GridSpace<Fraction>;
 
 }  // namespace dymsum::spatial

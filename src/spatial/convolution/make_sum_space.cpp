@@ -13,6 +13,7 @@ namespace dymsum::spatial {
 namespace {
 
 using exact::Big;
+using exact::Fraction;
 using exact::Int;
 using exact::Vector3;
 
@@ -148,6 +149,32 @@ std::unique_ptr<SumSpace> make_sum_space(const MappedPositions& p, const MappedP
     for (const Vector3<Big>& v : *points) bits = std::max(bits, bit_length(v));
   return with_width(bits, [&]<class C>(C) -> std::unique_ptr<SumSpace> {
     return std::make_unique<GridSpace<C>>(narrowed_points<C>(big_p), narrowed_points<C>(big_q), bits, lines);
+  });
+}
+
+std::unique_ptr<SumSpace> make_sum_space(const std::vector<Vector3<Fraction>>& p,
+                                         const std::vector<Vector3<Fraction>>& q, int exponent) {
+  const Line lines[3] = {{exponent, 0, 0}, {exponent, 0, 0}, {exponent, 0, 0}};
+  int bits = 0;
+  bool whole = true;
+  for (const std::vector<Vector3<Fraction>>* points : {&p, &q}) {
+    for (const Vector3<Fraction>& v : *points) {
+      for (const Fraction* c : {&v.x, &v.y, &v.z}) {
+        whole = whole && c->below() == 1;
+        bits = std::max({bits, bit_length(Big(c->above())), bit_length(Big(c->below()))});
+      }
+    }
+  }
+  if (!whole || bits > kMostGridBits)
+    return std::make_unique<GridSpace<Fraction>>(p, q, std::max(bits, 52), lines);
+  return with_width(bits, [&]<class C>(C) -> std::unique_ptr<SumSpace> {
+    const auto narrowed = [](const std::vector<Vector3<Fraction>>& points) {
+      const auto number = [](const Fraction& c) { return exact::narrowed<C>(Big(c.above())); };
+      std::vector<Vector3<C>> result;
+      for (const Vector3<Fraction>& v : points) result.push_back({number(v.x), number(v.y), number(v.z)});
+      return result;
+    };
+    return std::make_unique<GridSpace<C>>(narrowed(p), narrowed(q), bits, lines);
   });
 }
 

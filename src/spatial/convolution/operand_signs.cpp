@@ -4,7 +4,7 @@ namespace dymsum::spatial {
 
 namespace {
 
-/// The component on an axis of a vector of doubles or of integers.
+/// The component on an axis of a vector of doubles or of fractions.
 template <class V>
 const auto& component(const V& v, exact::Axis axis) {
   return axis == exact::Axis::x ? v.x : axis == exact::Axis::y ? v.y : v.z;
@@ -17,15 +17,15 @@ int SignsOfDoubles::order(std::uint32_t a, std::uint32_t b, exact::Axis axis) co
   return (to > from) - (to < from);
 }
 
-int SignsOfIntegers::orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
-  return sign(exact::determinant(at_[b] - at_[a], at_[c] - at_[a], at_[d] - at_[a]));
+int SignsOfFractions::orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+  return sign(exact::determinant(direction(a, b), direction(a, c), direction(a, d)));
 }
 
-int SignsOfIntegers::normal(std::uint32_t a, std::uint32_t b, std::uint32_t c, exact::Axis axis) const {
-  return sign(component(cross(at_[b] - at_[a], at_[c] - at_[a]), axis));
+int SignsOfFractions::normal(std::uint32_t a, std::uint32_t b, std::uint32_t c, exact::Axis axis) const {
+  return sign(component(cross(direction(a, b), direction(a, c)), axis));
 }
 
-int SignsOfIntegers::order(std::uint32_t a, std::uint32_t b, exact::Axis axis) const {
+int SignsOfFractions::order(std::uint32_t a, std::uint32_t b, exact::Axis axis) const {
   return sign(component(at_[b], axis) - component(at_[a], axis));
 }
 

@@ -1,4 +1,4 @@
-// Signs of the vertices of one operand, by their indices: of doubles, or of integers where no doubles hold the
+// Signs of the vertices of one operand, by their indices: of doubles, or of fractions where no doubles hold the
 // vertices.
 #pragma once
 
@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "dymsum/mesh.h"
-#include "exact/big.h"
+#include "exact/fraction.h"
 #include "exact/orient3.h"
 #include "exact/vector3.h"
 
 namespace dymsum::spatial {
 
-using ExactVertex = exact::Vector3<exact::Big>;
+using ExactVertex = exact::Vector3<exact::Fraction>;
 
 class OperandSigns {
  public:
@@ -48,14 +48,17 @@ class SignsOfDoubles final : public OperandSigns {
 };
 
 /// Keeps the reference.
-class SignsOfIntegers final : public OperandSigns {
+class SignsOfFractions final : public OperandSigns {
  public:
-  explicit SignsOfIntegers(const std::vector<ExactVertex>& vertices) : at_(vertices) {}
+  explicit SignsOfFractions(const std::vector<ExactVertex>& vertices) : at_(vertices) {}
   int orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const override;
   int normal(std::uint32_t a, std::uint32_t b, std::uint32_t c, exact::Axis axis) const override;
   int order(std::uint32_t a, std::uint32_t b, exact::Axis axis) const override;
 
  private:
+  /// Up to a positive factor.
+  ExactVertex direction(std::uint32_t a, std::uint32_t b) const { return exact::integral(at_[b] - at_[a]); }
+
   const std::vector<ExactVertex>& at_;
 };
 

@@ -329,7 +329,7 @@ SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin, 
 SolidOperand solid_operand(const MeshData& data, const std::vector<bool>& thin, std::vector<ExactVertex> exact,
                            int exponent) {
   // Flat vertices are left out by doubles.
-  SolidOperand solid = operand_of(data, thin, FlatFeatures::kept, SignsOfIntegers(exact));
+  SolidOperand solid = operand_of(data, thin, FlatFeatures::kept, SignsOfFractions(exact));
   solid.exact = std::move(exact), solid.exponent = exponent;
   return solid;
 }

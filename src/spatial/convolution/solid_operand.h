@@ -58,7 +58,7 @@ struct SolidOperand {
   std::vector<std::uint32_t> points;        ///< vertices that are thin parts by themselves
   std::vector<std::uint32_t> thin_shell;    ///< per vertex: the shell of thin parts there, or Wedge::kNone
   /// Where no doubles hold the vertices: in units of 2^exponent, which both operands of a sum have then; `vertices` are
-  /// near them.
+  /// near them. Integers, or fractions.
   std::vector<ExactVertex> exact;
   int exponent = 0;
 

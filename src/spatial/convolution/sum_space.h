@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "dymsum/mesh.h"
+#include "exact/fraction.h"
 #include "exact/residue.h"
 #include "exact/root_value.h"
 #include "exact/rung.h"
@@ -192,7 +193,7 @@ class SumSpace {
   /// Adds a position by the operands' own numbers, of any size; nothing where no sum is: beyond `span` along an axis.
   virtual std::optional<PointSource> add_position(const std::array<exact::BigRational, 3>& world) = 0;
   /// Signs that doubles left open; those that doubles determined are not counted. Of values at roots `integers` are
-  /// those of fixed point.
+  /// those of fixed point; so of fractions.
   exact::RungCounts signs() const {
     return {0, decided_[0].load(std::memory_order_relaxed), decided_[1].load(std::memory_order_relaxed),
             decided_[2].load(std::memory_order_relaxed)};
@@ -236,6 +237,10 @@ struct MappedPositions {
 };
 /// The space of the sums of mapped positions, in units of 2^exponent. Requires at most kMostGridBits bits.
 std::unique_ptr<SumSpace> make_sum_space(const MappedPositions& p, const MappedPositions& q, int exponent);
+
+/// The space of the sums of fractions, in units of 2^exponent.
+std::unique_ptr<SumSpace> make_sum_space(const std::vector<exact::Vector3<exact::Fraction>>& p,
+                                         const std::vector<exact::Vector3<exact::Fraction>>& q, int exponent);
 
 /// The space of sums of positions that are values at one root of a polynomial, for collision tests there: signs are
 /// exact, hashes say nothing, and coordinates are no integers. Requires values below 2^bits, bits at most 140.

@@ -53,6 +53,18 @@ exact::FineInterval fine_coordinate(const exact::RootValue& v, int shift) {
   return e.error.is_zero() ? midpoint : midpoint + up_to_power(static_cast<int>(msb(e.error)) + 1 + shift);
 }
 
+exact::FineInterval fine_coordinate(const exact::Fraction& v, int shift) {
+  if (sign(v) == 0) return {};
+  const int power = exact::power_for_bits(v, 160);
+  return fine_coordinate(exact::Big(rounded_down(v, power)), shift - power) + up_to_power(shift - power);
+}
+
+exact::WideInterval wide_coordinate(const exact::Fraction& v, int shift) {
+  if (sign(v) == 0) return {};
+  const int power = exact::power_for_bits(v, exact::WideInterval::kFractionBits + 8);
+  return exact::WideInterval::around(rounded_down(v, power), 1, static_cast<long>(shift) - power);
+}
+
 exact::WideInterval wide_coordinate(const exact::RootValue& v, int shift) {
   if (v.terms().empty()) return {};
   if (v.at() == nullptr || v.terms().size() == 1) return exact::WideInterval::around(v.terms()[0], 0, shift);

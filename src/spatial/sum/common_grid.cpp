@@ -1,64 +1,62 @@
 #include "spatial/sum/common_grid.h"
 
 #include <algorithm>
-#include <string>
+#include <climits>
+#include <optional>
 
 namespace dymsum::spatial {
 
 namespace {
 
-using exact::Big;
 using exact::BigInteger;
 using exact::BigRational;
 
-void add(CommonGrid& grid, const BigRational& c) {
-  if (c.is_zero()) return;
-  const BigInteger above = abs(numerator(c)), below = denominator(c);
-  const int power = static_cast<int>(lsb(above)) - static_cast<int>(lsb(below));
-  grid.exponent = std::min(grid.exponent.value_or(power), power);
-  grid.scale = lcm(grid.scale, BigInteger(below >> lsb(below)));
-}
+/// The powers of two of the lowest and of the highest digit of all coordinates, and their common odd denominator.
+class Digits {
+ public:
+  void add(const BigRational& c, int most_bits) {
+    if (c.is_zero()) return;
+    const BigInteger above = abs(numerator(c)), below = denominator(c);
+    const int zeros = static_cast<int>(lsb(below));
+    low_ = std::min(low_.value_or(INT_MAX), static_cast<int>(lsb(above)) - zeros);
+    high_ = std::max(high_.value_or(INT_MIN), static_cast<int>(msb(above)) - static_cast<int>(msb(below)) + 1);
+    if (static_cast<int>(msb(scale_)) <= most_bits) scale_ = lcm(scale_, BigInteger(below >> zeros));
+  }
+  CommonGrid grid(int most_bits) const {
+    if (!low_) return {};
+    constexpr int kBits = 60;  // of the largest coordinate before the point
+    const int needed = *high_ - *low_ + static_cast<int>(msb(scale_)) + 1;
+    return scale_ != 1 && needed > most_bits ? CommonGrid{1, *high_ - kBits} : CommonGrid{scale_, *low_};
+  }
 
-BigInteger multiple(const CommonGrid& grid, const BigRational& c) {
-  const BigRational scaled = c * BigRational(grid.scale);
-  const BigInteger above = numerator(scaled), below = denominator(scaled);
-  const int power = -static_cast<int>(lsb(below)) - grid.exponent.value_or(0);
-  return power >= 0 ? BigInteger(above << power) : BigInteger(above >> -power);
-}
+ private:
+  std::optional<int> low_, high_;
+  BigInteger scale_ = 1;
+};
 
-Error too_wide(std::size_t bits, const Point3& at) {
-  Error error{ErrorCode::out_of_range,
-              "in units of their common denominator the operands' vertices need " + std::to_string(bits) +
-                  " bits, more than " + std::to_string(kMostGridBits),
-              {}};
-  error.evidence.x = at.x, error.evidence.y = at.y, error.evidence.z = at.z;
-  return error;
+exact::Fraction in_units(const CommonGrid& grid, const BigRational& c) {
+  BigInteger above = numerator(c) * grid.scale, below = denominator(c);
+  if (grid.exponent <= 0) above <<= -grid.exponent;
+  else below <<= grid.exponent;
+  const BigInteger common = gcd(above, below);
+  return exact::Fraction(above / common, below / common);
 }
 
 }  // namespace
 
-Result<CommonGrid> common_grid(std::span<const ExactSet* const> sets) {
-  CommonGrid grid;
-  for (const ExactSet* set : sets) {
-    for (std::size_t v = 0; v < set->at.size(); ++v) {
-      for (const BigRational& c : set->at[v]) add(grid, c);
-      if (msb(grid.scale) >= kMostGridBits) return too_wide(msb(grid.scale) + 1, set->set.vertices[v]);
-    }
-  }
-  return grid;
+CommonGrid common_grid(std::span<const ExactSet* const> sets, int most_bits) {
+  Digits digits;
+  for (const ExactSet* set : sets)
+    for (const ExactPosition& at : set->at)
+      for (const BigRational& c : at) digits.add(c, most_bits);
+  return digits.grid(most_bits);
 }
 
-Result<std::vector<ExactVertex>> vertices_on(const CommonGrid& grid, const ExactSet& set) {
+std::vector<ExactVertex> vertices_on(const CommonGrid& grid, const ExactSet& set) {
   std::vector<ExactVertex> vertices;
-  for (std::size_t v = 0; v < set.at.size(); ++v) {
-    std::array<BigInteger, 3> m;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      m[axis] = multiple(grid, set.at[v][axis]);
-      if (!m[axis].is_zero() && msb(abs(m[axis])) >= kMostGridBits)
-        return too_wide(msb(abs(m[axis])) + 1, set.set.vertices[v]);
-    }
-    vertices.push_back({Big(m[0]), Big(m[1]), Big(m[2])});
-  }
+  vertices.reserve(set.at.size());
+  for (const ExactPosition& at : set.at)
+    vertices.push_back({in_units(grid, at[0]), in_units(grid, at[1]), in_units(grid, at[2])});
   return vertices;
 }
 

@@ -1,7 +1,7 @@
-// The grid on which the vertices of sets are integers, where no doubles hold them.
+// The units in which the vertices of sets are short numbers, where no doubles hold them: integers over a common
+// denominator that is short, or fractions with denominators of their own.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,22 +11,22 @@
 
 namespace dymsum::spatial {
 
-/// Coordinates are multiples of 2^exponent / scale, scale odd; doubles see them in units of 2^shift / scale, in which
-/// sizes are what they are, up to a factor of two.
+/// Coordinates are integers in units of 2^exponent / scale, scale odd; or, where that would make them long, fractions in
+/// units of 2^exponent, and the scale is 1. Doubles see them in units of 2^shift / scale, in which sizes are what they
+/// are, up to a factor of two.
 struct CommonGrid {
   exact::BigInteger scale = 1;
-  std::optional<int> exponent;  ///< nothing where all coordinates are 0
+  int exponent = 0;
 
   int shift() const { return static_cast<int>(msb(scale)); }
-  /// The exponent of the multiples, as doubles see them.
-  int unit() const { return exponent.value_or(0) - shift(); }
+  /// The exponent of the units, as doubles see them.
+  int unit() const { return exponent - shift(); }
 };
 
-/// The coarsest one for all sets. Error out_of_range, with a vertex, where its scale needs more than kMostGridBits
-/// bits.
-Result<CommonGrid> common_grid(std::span<const ExactSet* const> sets);
+/// The coarsest one for all sets; fractions where integers need more than `most_bits` bits.
+CommonGrid common_grid(std::span<const ExactSet* const> sets, int most_bits = kMostCommonBits);
 
-/// The vertices of a set on it. Error out_of_range, with a vertex, where one needs more than kMostGridBits bits.
-Result<std::vector<ExactVertex>> vertices_on(const CommonGrid& grid, const ExactSet& set);
+/// The vertices of a set on it.
+std::vector<ExactVertex> vertices_on(const CommonGrid& grid, const ExactSet& set);
 
 }  // namespace dymsum::spatial

@@ -10,10 +10,8 @@ namespace dymsum::spatial {
 
 namespace {
 
-Result<SolidOperand> operand_on(const CommonGrid& grid, const ExactSet& set) {
-  Result<std::vector<ExactVertex>> vertices = vertices_on(grid, set);
-  if (!vertices) return vertices.error();
-  return solid_operand(set.set, set.thin, *std::move(vertices), grid.unit());
+SolidOperand operand_on(const CommonGrid& grid, const ExactSet& set) {
+  return solid_operand(set.set, set.thin, vertices_on(grid, set), grid.unit());
 }
 
 }  // namespace
@@ -44,16 +42,14 @@ ExactSet exact_set(const SpatialSum& sum) {
   return result;
 }
 
-Result<SpatialSum> sum_of_exact_sets(const ExactSet& p, const ExactSet& q, const SpatialOptions& options) {
+Result<SpatialSum> sum_of_exact_sets(const ExactSet& p, const ExactSet& q, const SpatialOptions& options,
+                                     int most_common_bits) {
   const ExactSet* const sets[]{&p, &q};
-  const Result<CommonGrid> grid = common_grid(sets);
-  if (!grid) return grid.error();
-  const Result<SolidOperand> a = operand_on(*grid, p), b = operand_on(*grid, q);
-  if (!a || !b) return a ? b.error() : a.error();
-  Result<SpatialSum> sum = sum_of_operands(*a, *b, options);
+  const CommonGrid grid = common_grid(sets, most_common_bits);
+  Result<SpatialSum> sum = sum_of_operands(operand_on(grid, p), operand_on(grid, q), options);
   if (!sum) return sum;
   SpatialSum made = *std::move(sum);
-  unscale(made, grid->scale, grid->shift());
+  unscale(made, grid.scale, grid.shift());
   return made;
 }
 

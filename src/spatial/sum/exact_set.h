@@ -3,7 +3,7 @@
 //
 // Sums commute with scaling. In units of 1 / D, D the smallest odd number in whose fractions all coordinates lie up to
 // powers of two, the vertices of both operands are integers on one grid; the sum in these units, divided by D, is the
-// sum. Every sign is then that of an integer expression in the widths of SumSpace.
+// sum. Where these integers are long, every coordinate is a fraction over a denominator of its own.
 #pragma once
 
 #include <vector>
@@ -25,8 +25,11 @@ ExactSet exact_set(MeshData set, std::vector<bool> thin = {});
 /// The regular part of a sum, in triangles.
 ExactSet exact_set(const SpatialSum& sum);
 
-/// The sum of two of them. Errors as minkowski_sum; out_of_range where the vertices in units of their common
-/// denominator need more than kMostGridBits bits, with how many they need.
-Result<SpatialSum> sum_of_exact_sets(const ExactSet& p, const ExactSet& q, const SpatialOptions& options);
+/// Coordinates up to so many bits over a common denominator are integers; longer ones are fractions.
+inline constexpr int kMostCommonBits = 250;
+
+/// The sum of two of them. Errors as minkowski_sum.
+Result<SpatialSum> sum_of_exact_sets(const ExactSet& p, const ExactSet& q, const SpatialOptions& options,
+                                     int most_common_bits = kMostCommonBits);
 
 }  // namespace dymsum::spatial

@@ -99,9 +99,7 @@ Flag flag_at(const SolidArrangement& arrangement, const PlaneGroup& group, const
 
 std::unique_ptr<SumSpace> space_of(const SolidOperand& p, const SolidOperand& q) {
   if (p.exact.empty()) return make_sum_space(p.vertices, q.vertices);
-  const GridPositions none;
-  const std::array<exact::BigInteger, 9> identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
-  return make_sum_space({none, identity, p.exact}, {none, identity, q.exact}, p.exponent);
+  return make_sum_space(p.exact, q.exact, p.exponent);
 }
 
 SolidBoundary solid_boundary(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options,
