@@ -14,7 +14,7 @@
 #include "dymsum/planar_operand.h"
 #include "exact/square_root.h"
 #include "placement/boundary_meetings.h"
-#include "planar/position/position_signs.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum {
 namespace {

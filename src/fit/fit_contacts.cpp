@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "exact/rounding_bound.h"
-#include "planar/position/position_signs.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::planar {
 

@@ -5,7 +5,7 @@
 
 #include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
-#include "planar/operand/round_position.h"
+#include "planar/operand/lattice.h"
 
 namespace dymsum::planar {
 

@@ -12,10 +12,9 @@
 #include "fit/path_free.h"
 #include "planar/frame/scaling_events.h"
 #include "planar/frame/scaling_sum.h"
-#include "planar/operand/prepared_region.h"
-#include "planar/region/chains.h"
-#include "planar/region/complement.h"
-#include "planar/region/separate_touching.h"
+#include "planar/operand/operand.h"
+#include "planar/region/engine_region.h"
+#include "planar/region/region.h"
 
 namespace dymsum {
 

@@ -7,8 +7,7 @@
 #include <unordered_map>
 
 #include "planar/position/exact_source.h"
-#include "planar/position/position_signs.h"
-#include "planar/result/part_nesting.h"
+#include "planar/result/finish_sum.h"
 #include "planar/result/pieces.h"
 
 namespace dymsum::placement {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/union_find.h"
-#include "planar/window/box_pairs.h"
+#include "planar/window/rotating_window.h"
 
 namespace dymsum::planar {
 namespace {

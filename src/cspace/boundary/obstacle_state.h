@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "dymsum/cspace_obstacle.h"
-#include "planar/motion/exact_angle.h"
 #include "planar/motion/operand_pair.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum {
 

@@ -6,7 +6,7 @@
 
 #include "cspace/events/exact_position.h"
 #include "cspace/events/rotation_events.h"
-#include "planar/motion/rotation_catalog.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "planar/motion/exact_angle.h"
+#include "planar/motion/orientation.h"
 #include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {

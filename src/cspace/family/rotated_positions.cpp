@@ -6,7 +6,7 @@
 
 #include "exact/big.h"
 #include "exact/rounding_bound.h"
-#include "planar/operand/sum_bounds.h"
+#include "planar/operand/lattice.h"
 
 namespace dymsum::planar {
 namespace {

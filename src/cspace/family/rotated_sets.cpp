@@ -10,7 +10,7 @@
 #include "dymsum/orientation_sum.h"
 #include "dymsum/planar_boolean.h"
 #include "dymsum/planar_operand.h"
-#include "planar/region/chains.h"
+#include "planar/region/region.h"
 
 namespace dymsum::planar {
 namespace {

@@ -10,10 +10,10 @@
 #include "cspace/family/rotated_sets.h"
 #include "cspace/family/slab_loops.h"
 #include "dymsum/orientation_sum.h"
-#include "planar/motion/exact_frame.h"
-#include "planar/position/position_signs.h"
-#include "planar/result/part_nesting.h"
-#include "planar/sum/placed_sum.h"
+#include "planar/motion/operand_pair.h"
+#include "planar/position/exact_source.h"
+#include "planar/result/finish_sum.h"
+#include "planar/sum/minkowski_sum.h"
 
 namespace dymsum {
 

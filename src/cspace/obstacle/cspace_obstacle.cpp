@@ -17,9 +17,9 @@
 #include "cspace/obstacle/obstacle_start.h"
 #include "cspace/obstacle/point_passage.h"
 #include "planar/boundary/collision.h"
-#include "planar/motion/exact_angle.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/sum/placed_sum.h"
+#include "planar/motion/orientation.h"
+#include "planar/sum/minkowski_sum.h"
 
 namespace dymsum {
 namespace {

@@ -6,9 +6,8 @@
 #include "exact/rounding_bound.h"
 #include "planar/boundary/collision.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/position/ring_containment.h"
-#include "planar/sum/placed_sum.h"
-#include "planar/sum/sum_engine.h"
+#include "planar/position/exact_source.h"
+#include "planar/sum/minkowski_sum.h"
 
 namespace dymsum::planar {
 namespace {

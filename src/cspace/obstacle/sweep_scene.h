@@ -6,7 +6,7 @@
 #include "cspace/boundary/boundary_graph.h"
 #include "cspace/events/exact_position.h"
 #include "cspace/events/quarter_turn.h"
-#include "planar/motion/rotation_catalog.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
 

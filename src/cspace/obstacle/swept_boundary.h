@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cspace/boundary/boundary_graph.h"
-#include "planar/motion/exact_angle.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum::planar {
 

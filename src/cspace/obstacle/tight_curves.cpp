@@ -13,7 +13,7 @@
 #include "cspace/events/event_position.h"
 #include "cspace/obstacle/tight_positions.h"
 #include "exact/rounding_bound.h"
-#include "planar/motion/exact_angle.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum::planar {
 namespace {

@@ -8,7 +8,7 @@
 #include "io/family/family_text.h"
 #include "io/family/name_check.h"
 #include "io/read_file.h"
-#include "planar/family/family_state.h"
+#include "planar/family/scaling_family.h"
 
 namespace dymsum {
 namespace {

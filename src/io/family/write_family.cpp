@@ -3,7 +3,7 @@
 
 #include "dymsum/family_file.h"
 #include "io/family/family_text.h"
-#include "planar/family/family_state.h"
+#include "planar/family/scaling_family.h"
 
 namespace dymsum {
 namespace {

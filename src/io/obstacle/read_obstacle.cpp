@@ -8,7 +8,7 @@
 #include "dymsum/obstacle_file.h"
 #include "io/obstacle/obstacle_text.h"
 #include "io/read_file.h"
-#include "planar/motion/exact_angle.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "dymsum/snap_rounding.h"
 #include "io/number_text.h"
-#include "planar/position/nearest_point.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::io {
 

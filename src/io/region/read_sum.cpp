@@ -7,8 +7,8 @@
 #include "io/plain_text.h"
 #include "io/read_file.h"
 #include "io/region/exact_json.h"
-#include "planar/boolean/boolean_terms.h"
-#include "planar/result/listed_positions.h"
+#include "planar/boolean/planar_boolean.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "dymsum/region_io.h"
 #include "io/number_text.h"
-#include "planar/position/nearest_point.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum {
 

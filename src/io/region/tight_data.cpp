@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "planar/position/nearest_point.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::io {
 namespace {

@@ -11,7 +11,7 @@
 #include <emmintrin.h>
 #endif
 
-#include "planar/mask/segment_clip.h"
+#include "planar/mask/interior_mask.h"
 
 namespace dymsum::planar {
 

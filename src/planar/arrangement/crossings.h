@@ -9,7 +9,6 @@
 #include "base/box_sweep.h"
 #include "base/poll.h"
 #include "planar/arrangement/soup.h"
-#include "planar/mask/grid.h"
 #include "planar/mask/interior_mask.h"
 
 namespace dymsum::planar {

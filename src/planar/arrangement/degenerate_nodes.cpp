@@ -5,7 +5,7 @@
 
 #include "base/union_find.h"
 #include "planar/arrangement/arrangement.h"
-#include "planar/operand/directions.h"
+#include "planar/operand/edges.h"
 
 namespace dymsum::planar {
 

@@ -12,7 +12,6 @@
 #include "base/scratch.h"
 #include "planar/operand/lattice.h"
 #include "planar/operand/operand.h"
-#include "planar/operand/sum_bounds.h"
 
 namespace dymsum::planar {
 

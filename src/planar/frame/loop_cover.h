@@ -9,7 +9,7 @@
 #include "base/two_lanes.h"
 #include "dymsum/frames.h"
 #include "planar/frame/piece_lists.h"
-#include "planar/window/edge_search.h"
+#include "planar/window/scaling_pairs.h"
 
 namespace dymsum::planar {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "planar/motion/operand_pair.h"
-#include "planar/operand/sum_bounds.h"
+#include "planar/operand/lattice.h"
 
 namespace dymsum::planar {
 

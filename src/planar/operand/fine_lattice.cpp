@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "exact/integer_pair.h"
-#include "planar/operand/lattice_build.h"
+#include "planar/operand/make_lattice.h"
 
 namespace dymsum::planar {
 namespace {

@@ -1,15 +1,21 @@
-// The data of a region as the engine takes it.
+// Regions as the engine takes them: with touching rings cut apart, and as the complement of one in a frame.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "dymsum/region.h"
 
 namespace dymsum::exact {
+
+// The data of a region as the engine takes it.
+
 struct HomogeneousPoint;
-}
+
+}  // namespace dymsum::exact
 
 namespace dymsum::planar {
 
@@ -28,5 +34,30 @@ struct EngineRegion {
   std::uint32_t vertex_index(std::uint32_t v) const { return vertex_indices.empty() ? v : vertex_indices[v]; }
   std::uint32_t edge_index(std::uint32_t e) const { return edge_indices.empty() ? e : edge_indices[e]; }
 };
+
+// The complement of a region inside a frame, for questions about what lies inside.
+
+/// The angles by which Q may be rotated.
+enum class Turning { none, any };
+
+/// The frame with P cut out, under the numbers of P; the frame's own vertices and edges have the number
+/// SumVertex::kNone. The frame is wide enough that its boundary plays no part in sums with -Q, or with
+/// Q rotated by any angle.
+EngineRegion complement_of(const Region& p, const Region& q, Turning turning = Turning::none);
+
+/// Half the side of that frame around the origin, for the bounds of P and Q: smallest x and y, largest x and y.
+double frame_margin(const std::array<double, 4>& p, const std::array<double, 4>& q, Turning turning);
+
+/// The error for operands around which no such frame can be laid: a coordinate that no sum can take, or so large a one
+/// that the frame's would be. Evidence is the operand's own coordinate.
+std::optional<Error> too_large_to_frame(const Region& p, const Region& q);
+
+// Regions whose rings touch, rewritten so that the engine's local view holds: at every visit of a vertex the wedge on
+// the left is one whole sector of the region, and components have connected interiors.
+
+/// The same set. Without touching points: the data as they are, borrowed. Otherwise edges are cut at touching points,
+/// every way in is joined to the next way out clockwise, and rings are grouped anew; they may then visit a point
+/// several times.
+EngineRegion separate_touching(const RegionData& data, const std::vector<Point>& touching_points);
 
 }  // namespace dymsum::planar

@@ -7,10 +7,8 @@
 #include "planar/boundary/boundary.h"
 #include "planar/boundary/collision.h"
 #include "planar/boundary/winding_boundary.h"
-#include "planar/boundary/winding_numbers.h"
-#include "planar/convolution/kinetic.h"
-#include "planar/convolution/parallelogram_sides.h"
-#include "planar/result/trace_stages.h"
+#include "planar/convolution/convolution.h"
+#include "planar/result/finish_sum.h"
 
 namespace dymsum::planar {
 namespace {

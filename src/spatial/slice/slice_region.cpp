@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "planar/position/position_signs.h"
-#include "planar/result/part_nesting.h"
+#include "planar/position/exact_source.h"
+#include "planar/result/finish_sum.h"
 #include "spatial/slice/slice_rings.h"
 #include "spatial/sum/feature_pairs.h"
 #include "spatial/sum/tight_lines.h"

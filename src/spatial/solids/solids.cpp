@@ -8,8 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "planar/shapes/shapes_source.h"
-#include "planar/shapes/snap.h"
+#include "planar/shapes/shapes.h"
 
 namespace dymsum::solids {
 

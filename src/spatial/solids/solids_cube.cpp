@@ -9,7 +9,7 @@
 #include "dymsum/rational.h"
 #include "dymsum/solids.h"
 
-#include "planar/shapes/snap.h"
+#include "planar/shapes/shapes.h"
 
 namespace dymsum::solids {
 
