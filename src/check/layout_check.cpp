@@ -12,7 +12,7 @@
 #include "depth/planar_nearest.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/planar_operand.h"
-#include "exact/square_root.h"
+#include "exact/big.h"
 #include "placement/boundary_meetings.h"
 #include "planar/position/exact_source.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/double_text.h"
-#include "base/hypot3.h"
+#include "base/doubles.h"
 #include "depth/boundary_distance.h"
 #include "depth/continuous_tracker.h"
 #include "depth/posed_overlap.h"

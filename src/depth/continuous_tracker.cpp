@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/stopwatch.h"
+#include "base/poll.h"
 
 namespace dymsum::depth {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "depth/exact_facet_distances.h"
 #include "depth/facet_distances.h"
-#include "exact/square_root.h"
+#include "exact/big.h"
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"
 #include "spatial/convex/facet_corners.h"

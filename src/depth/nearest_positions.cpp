@@ -6,7 +6,7 @@
 #include <queue>
 #include <tuple>
 
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "depth/same_cell.h"
 
 namespace dymsum::depth {

@@ -6,7 +6,6 @@
 #include "depth/touching_pairs.h"
 #include "dymsum/penetration_depth.h"
 #include "exact/big.h"
-#include "exact/square_root.h"
 
 namespace dymsum {
 namespace {

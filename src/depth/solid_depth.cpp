@@ -9,7 +9,7 @@
 #include "depth/nearest_positions.h"
 #include "depth/ray_exit.h"
 #include "dymsum/penetration_depth.h"
-#include "exact/square_root.h"
+#include "exact/big.h"
 
 namespace dymsum {
 namespace {

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "depth/exact_frame.h"
 #include "depth/proved_sign.h"
 #include "spatial/mesh/rounded_vector.h"

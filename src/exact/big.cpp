@@ -1,14 +1,14 @@
 #include "exact/big.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
-#include "exact/rational_parts.h"
+#include "exact/grid.h"
 
 namespace dymsum::exact {
-
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -99,6 +99,98 @@ double round_to_double(const BigInteger& num, const BigInteger& d) {
                                                             static_cast<double>(static_cast<std::uint64_t>(d))
                                                       : round_positive(n, d);
   return num.sign() < 0 && magnitude != 0 ? -magnitude : magnitude;
+}
+
+// With num / den scaled by 4^k to at least 2^128, its root has at least 64 bits: r, its whole part, and one more bit
+// that says whether something follows. Doubles and the midpoints between two of them have at most 54 bits, so the
+// number made of r and that bit lies on the same side of each of them as the root does, or is the same.
+double root_to_double(const BigRational& v) {
+  if (v < 0) throw std::logic_error("root_to_double: of a negative number");
+  if (v.is_zero()) return 0;
+  BigInteger num = numerator(v), den = denominator(v);
+  const int size = static_cast<int>(msb(num)) - static_cast<int>(msb(den));  // num / den > 2^(size - 1)
+  const int k = size >= 130 ? 0 : (130 - size) / 2;
+  num <<= static_cast<unsigned>(2 * k);
+  BigInteger whole, rest, left;
+  divide_qr(num, den, whole, rest);
+  const BigInteger r = floor_root(whole, left);
+  const BigInteger r_and_more = 2 * r + (left != 0 || rest != 0 ? 1 : 0);
+  return round_to_double(BigRational(r_and_more, BigInteger(1) << static_cast<unsigned>(k + 1)));
+}
+
+// Newton's iteration from above falls until it reaches the root rounded down.
+BigInteger floor_root(const BigInteger& n, BigInteger& rest) {
+  rest = 0;
+  if (n.is_zero()) return 0;
+  // At most 62 leading bits, an even number of them cut off: their root in doubles, rounded up.
+  const unsigned length = static_cast<unsigned>(msb(n)) + 1, cut = length <= 62 ? 0 : (length - 61) / 2 * 2;
+  const double leading = std::sqrt(static_cast<double>(static_cast<std::uint64_t>(n >> cut)) + 1);
+  BigInteger root = (BigInteger(static_cast<std::uint64_t>(leading)) + 2) << (cut / 2);
+  for (;;) {
+    BigInteger next = (root + n / root) >> 1;
+    if (next >= root) break;
+    root = std::move(next);
+  }
+  rest = n - root * root;
+  return root;
+}
+
+BigInteger product_of(std::span<const BigInteger> factors) {
+  if (factors.empty()) return 1;
+  if (factors.size() == 1) return factors[0];
+  return product_of(factors.first(factors.size() / 2)) * product_of(factors.subspan(factors.size() / 2));
+}
+
+namespace {
+
+/// The product over factors f of gcd(f, value): the value's remainder is taken by ever smaller products of factors.
+BigInteger product_of_gcds(std::span<const BigInteger> factors, const BigInteger& value) {
+  if (factors.size() == 1) return gcd(factors[0], BigInteger(value % factors[0]));
+  const auto left = factors.first(factors.size() / 2), right = factors.subspan(factors.size() / 2);
+  return product_of_gcds(left, BigInteger(value % product_of(left))) *
+         product_of_gcds(right, BigInteger(value % product_of(right)));
+}
+
+}  // namespace
+
+// With D the product of the factors f, gcd(N, D) = gcd(N, product of gcd(f, N)): for every prime, the smaller of its
+// powers in N and D is the smaller of that in N and the sum over f of the smaller of those in N and f.
+BigInteger gcd_with_product(std::span<const BigInteger> factors, const BigInteger& value) {
+  if (factors.empty()) return 1;
+  const BigInteger magnitude = abs(value);
+  const BigInteger part = product_of_gcds(factors, BigInteger(magnitude % product_of(factors)));
+  return gcd(part, BigInteger(magnitude % part));
+}
+
+HomogeneousPoint without_twos(HomogeneousPoint p) {
+  unsigned twos = static_cast<unsigned>(lsb(p.w));
+  for (const BigInteger* v : {&p.x, &p.y})
+    if (twos > 0 && !v->is_zero()) twos = std::min(twos, static_cast<unsigned>(lsb(BigInteger(abs(*v)))));
+  if (twos > 0)
+    for (BigInteger* v : {&p.x, &p.y, &p.w}) *v >>= twos;
+  return p;
+}
+
+HomogeneousPoint in_lowest_terms(HomogeneousPoint p) {
+  p = without_twos(std::move(p));
+  // Most denominators are powers of two, which need no greatest common divisor.
+  if (msb(p.w) == lsb(p.w)) {
+    if (p.x.is_zero() && p.y.is_zero()) p.w = 1;
+    return p;
+  }
+  const BigInteger common = gcd(gcd(p.x, p.w), p.y);
+  if (common != 1)
+    for (BigInteger* v : {&p.x, &p.y, &p.w}) *v /= common;
+  return p;
+}
+
+HomogeneousPoint homogeneous(double x, double y) {
+  const Dyadic a = to_dyadic(x), b = to_dyadic(y);
+  const int low = std::min({a.mantissa == 0 ? 0 : a.exponent, b.mantissa == 0 ? 0 : b.exponent, 0});
+  const auto numerator = [&](const Dyadic& d) {
+    return d.mantissa == 0 ? BigInteger(0) : BigInteger(BigInteger(d.mantissa) << (d.exponent - low));
+  };
+  return {numerator(a), numerator(b), BigInteger(1) << -low};
 }
 
 }  // namespace dymsum::exact

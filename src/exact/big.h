@@ -4,8 +4,11 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <compare>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <utility>
 
 #include "dymsum/rational.h"
@@ -117,5 +120,112 @@ Rational to_rational(BigInteger num, BigInteger den);
 double round_to_double(const BigRational& v);
 /// The same of num / den. Requires: den > 0.
 double round_to_double(const BigInteger& num, const BigInteger& den);
+
+// What a Rational holds, for code that computes with it.
+
+/// Lowest terms, den > 0.
+struct RationalParts {
+  BigInteger num = 0, den = 1;
+};
+
+struct RationalAccess {
+  static const RationalParts& parts(const Rational& r) {
+    static const RationalParts zero;
+    return r.parts_ ? *r.parts_ : zero;
+  }
+  /// Requires: lowest terms, den > 0.
+  static Rational make(BigInteger num, BigInteger den) {
+    Rational r;
+    r.parts_ = std::make_shared<const RationalParts>(RationalParts{std::move(num), std::move(den)});
+    return r;
+  }
+};
+
+// Exact integers of any size as a double and a power of two: where the integer itself lies beyond the range of doubles.
+
+/// mantissa 2^exponent, 1/2 <= |mantissa| < 1; the mantissa of zero is 0.
+struct BinaryParts {
+  double mantissa = 0;
+  int exponent = 0;
+
+  /// The value times 2^shift, where that is a double that is not subnormal.
+  double scaled(int shift) const { return std::ldexp(mantissa, exponent + shift); }
+  bool is_zero() const { return mantissa == 0; }
+};
+
+inline BinaryParts binary_parts(double v, int shift = 0) {
+  int exponent = 0;
+  const double mantissa = std::frexp(v, &exponent);
+  return {mantissa, exponent + shift};
+}
+
+/// A double within 2^-51 of the value, exactly where that has at most 53 binary digits. What is cut off first is below
+/// 2^-100 of the value: no less than two whole limbs are left, and rounding them as to_double does errs by 2^-52.
+template <int B>
+BinaryParts binary_parts(const Int<B>& v) {
+  if constexpr (B <= 960) {
+    return binary_parts(to_double(v));
+  } else {
+    const auto magnitude = abs(v).raw();
+    constexpr int kLimbs = limb_count(B);
+    int top = kLimbs - 1;
+    while (top > 0 && magnitude.w[static_cast<std::size_t>(top)] == 0) --top;
+    const int first = top < 4 ? 0 : top - 3;
+    Limbs<5> leading;  // four limbs, and a sign
+    for (int i = first; i <= top; ++i)
+      leading.w[static_cast<std::size_t>(i - first)] = magnitude.w[static_cast<std::size_t>(i)];
+    const double size = limbs_to_double(leading);
+    return binary_parts(sign(v) < 0 ? -size : size, 64 * first);
+  }
+}
+inline BinaryParts binary_parts(const Big& v) {
+  const BigInteger size = boost::multiprecision::abs(v.value());
+  if (size == 0) return {};
+  const auto bits = static_cast<int>(msb(size));
+  const int cut = bits < 960 ? 0 : bits - 200;
+  const double leading = to_double(Big(BigInteger(size >> static_cast<unsigned>(cut))));
+  return binary_parts(sign(v) < 0 ? -leading : leading, cut);
+}
+
+// The order of rationals by one product each. Boost's own compares their continued fractions, which for equal or nearly
+// equal ones go on to the end.
+
+/// The sign of a - b.
+inline int compare(const BigRational& a, const BigRational& b) {
+  const BigInteger &n = numerator(a), &m = numerator(b), &d = denominator(a), &e = denominator(b);
+  return d == e ? n.compare(m) : BigInteger(n * e).compare(BigInteger(m * d));
+}
+
+// Square roots of exact numbers, rounded once.
+
+/// The double nearest to the square root of v, ties to even, also where v itself is no double: as small or as large as
+/// it likes. Infinite past the range of doubles. Requires v >= 0.
+double root_to_double(const BigRational& v);
+
+/// The largest r with r^2 <= n, and rest = n - r^2. Requires n >= 0. A few divisions of n's length.
+BigInteger floor_root(const BigInteger& n, BigInteger& rest);
+
+// Fractions whose denominators are products of known factors: lowest terms without the greatest common divisor of two
+// long integers.
+
+/// The product, by halves. 1 of none.
+BigInteger product_of(std::span<const BigInteger> factors);
+
+/// gcd(value, product of the factors), for a value that is not 0. Cost: O(M(b) log n) for n factors of b bits together,
+/// and a gcd of b bits only where all factors have a part in common with the value.
+BigInteger gcd_with_product(std::span<const BigInteger> factors, const BigInteger& value);
+
+// A position of the plane as a fraction.
+
+/// (x / w, y / w), w > 0, not necessarily in lowest terms.
+struct HomogeneousPoint {
+  BigInteger x, y, w;
+};
+
+/// The same position without a common factor; without common factors of two.
+HomogeneousPoint in_lowest_terms(HomogeneousPoint p);
+HomogeneousPoint without_twos(HomogeneousPoint p);
+/// That of a finite double point.
+HomogeneousPoint homogeneous(double x, double y);
 
 }  // namespace dymsum::exact

@@ -1,4 +1,4 @@
-// Rational numbers as people write them.
+// Exact numbers as text and of text: fractions, decimals.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,14 @@
 #include "exact/big.h"
 
 namespace dymsum::exact {
+
+// Exact rationals as decimal numbers of a given length.
+
+/// v with `digits` significant digits, rounded half to even, and an exponent of two digits or more, as "%.16e" prints
+/// doubles: "-1.25e+400"; "0" for zero. Requires digits >= 1.
+std::string decimal_text(const BigRational& v, int digits);
+
+// Rational numbers as people write them.
 
 inline constexpr unsigned kMaxTextBits = 4096;  ///< of numerators and denominators
 

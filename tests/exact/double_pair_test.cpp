@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "exact/decimal_text.h"
-#include "exact/integer_pair.h"
+#include "exact/interval.h"
+#include "exact/rational_text.h"
 
 namespace dymsum::exact {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "planar/window/rotating_window.h"
 
 namespace dymsum::planar {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 
 namespace dymsum::planar {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 #include "cspace/events/event_window.h"
 #include "exact/int.h"
 

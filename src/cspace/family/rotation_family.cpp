@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "cspace/boundary/obstacle_state.h"
 #include "cspace/family/rotated_positions.h"
 #include "cspace/family/rotated_sets.h"

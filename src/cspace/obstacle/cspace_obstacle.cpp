@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/stopwatch.h"
-#include "base/within_memory.h"
+#include "base/memory_budget.h"
+#include "base/poll.h"
 #include "cspace/boundary/patch_slabs.h"
 #include "cspace/events/walk_indices.h"
 #include "cspace/events/walked_rings.h"

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 #include "dymsum/region.h"
 
 namespace dymsum::cspace {

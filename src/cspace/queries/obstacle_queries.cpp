@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "base/hypot3.h"
+#include "base/doubles.h"
 #include "base/parallel.h"
 #include "cspace/queries/clearance_search.h"
 #include "cspace/queries/containment_index.h"

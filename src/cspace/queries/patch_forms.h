@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 #include "cspace/queries/range.h"
 #include "dymsum/cspace_obstacle.h"
 #include "exact/rounding_bound.h"

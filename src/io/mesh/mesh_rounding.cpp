@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "base/in_single.h"
+#include "base/doubles.h"
 #include "dymsum/mesh_io.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "io/archive.h"
 #include "io/mesh/mesh_readers.h"
 

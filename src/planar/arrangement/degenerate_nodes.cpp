@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "planar/arrangement/arrangement.h"
 #include "planar/operand/edges.h"
 

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 
 namespace dymsum::planar {
 namespace {

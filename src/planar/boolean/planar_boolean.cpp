@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/memory_budget.h"
 #include "base/poll.h"
 #include "base/scratch.h"
-#include "base/within_memory.h"
 #include "dymsum/planar_boolean.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/boolean/boolean_boundary.h"

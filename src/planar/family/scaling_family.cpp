@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/stopwatch.h"
-#include "base/within_memory.h"
+#include "base/memory_budget.h"
+#include "base/poll.h"
 #include "dymsum/planar_operand.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/region.h"

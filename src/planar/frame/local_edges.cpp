@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 
 namespace dymsum::planar {
 

@@ -5,9 +5,8 @@
 #include <new>
 #include <utility>
 
+#include "base/memory_budget.h"
 #include "base/poll.h"
-#include "base/stopwatch.h"
-#include "base/within_memory.h"
 #include "planar/sum/minkowski_sum.h"
 
 namespace dymsum::planar {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 #include "base/memory_budget.h"
 #include "dymsum/planar_local_sum.h"
 #include "exact/big.h"

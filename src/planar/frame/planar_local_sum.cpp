@@ -12,9 +12,8 @@
 #include <utility>
 
 #include "base/double_text.h"
+#include "base/memory_budget.h"
 #include "base/poll.h"
-#include "base/stopwatch.h"
-#include "base/within_memory.h"
 #include "dymsum/planar_local_sum.h"
 #include "planar/frame/local_edges.h"
 #include "planar/frame/near_segments.h"

@@ -8,11 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/own_memory.h"
+#include "base/memory_budget.h"
 #include "exact/int.h"
 #include "exact/orient.h"
 #include "exact/rounding_bound.h"
-#include "exact/signs.h"
 #include "planar/operand/fraction_lattice.h"
 #include "planar/operand/lattice.h"
 #include "planar/operand/make_lattice.h"

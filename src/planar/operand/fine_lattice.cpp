@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/integer_pair.h"
+#include "exact/interval.h"
 #include "planar/operand/make_lattice.h"
 
 namespace dymsum::planar {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "exact/homogeneous_point.h"
+#include "exact/big.h"
 #include "planar/operand/make_lattice.h"
 
 namespace dymsum::planar {

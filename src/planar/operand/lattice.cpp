@@ -9,7 +9,7 @@
 
 #include "exact/grid.h"
 #include "exact/int.h"
-#include "exact/integer_pair.h"
+#include "exact/interval.h"
 #include "planar/operand/fine_lattice.h"
 #include "planar/operand/make_lattice.h"
 #include "planar/position/exact_source.h"

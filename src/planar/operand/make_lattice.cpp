@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "base/bit_cast.h"
+#include "base/doubles.h"
 #include "exact/rounding_bound.h"
 #include "planar/operand/fraction_lattice.h"
 

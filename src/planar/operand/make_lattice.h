@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/bit_cast.h"
+#include "base/doubles.h"
 #include "exact/grid.h"
 #include "planar/operand/lattice.h"
 

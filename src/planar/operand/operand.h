@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/own_memory.h"
+#include "base/memory_budget.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/region.h"
 #include "planar/operand/edges.h"

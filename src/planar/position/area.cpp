@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "exact/factored_fraction.h"
+#include "exact/big.h"
 #include "exact/rounding_bound.h"
 #include "planar/position/exact_source.h"
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 #include "dymsum/planar_sum.h"
-#include "exact/homogeneous_point.h"
+#include "exact/big.h"
 
 namespace dymsum {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/box_lanes.h"
+#include "base/box_sweep.h"
 #include "base/scratch.h"
 #include "exact/orient.h"
 #include "planar/region/region_sweep.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 #include "dymsum/region.h"
 #include "exact/big.h"
 #include "exact/grid.h"

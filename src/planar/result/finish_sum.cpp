@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "planar/boundary/boundary.h"
 #include "planar/operand/operand.h"
 #include "planar/position/exact_source.h"

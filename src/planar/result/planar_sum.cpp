@@ -5,7 +5,7 @@
 
 #include "dymsum/area_text.h"
 #include "dymsum/planar_sum.h"
-#include "exact/decimal_text.h"
+#include "exact/rational_text.h"
 #include "planar/position/area.h"
 #include "planar/position/exact_source.h"
 #include "planar/result/rounding.h"

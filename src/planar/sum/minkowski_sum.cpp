@@ -7,9 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/memory_budget.h"
 #include "base/poll.h"
-#include "base/stopwatch.h"
-#include "base/within_memory.h"
 #include "dymsum/planar_sum.h"
 #include "exact/rounding_bound.h"
 #include "planar/arrangement/crossings.h"

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "base/bit_cast.h"
+#include "base/doubles.h"
 #include "base/memory_budget.h"
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "planar/arrangement/arrangement.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/arrangement/live_pieces.h"

@@ -1,7 +1,7 @@
 #include "planar/sum/winding.h"
 
 #include "base/memory_budget.h"
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/arrangement/segment_graph.h"
 #include "planar/boundary/boundary.h"

@@ -9,10 +9,10 @@
 #include <memory>
 #include <vector>
 
-#include "base/box_lanes.h"
+#include "base/box_sweep.h"
 #include "base/memory_budget.h"
+#include "base/poll.h"
 #include "base/scratch.h"
-#include "base/stop.h"
 #include "planar/motion/turning_forms.h"
 #include "planar/window/frame_window.h"
 #include "planar/window/rotation_mask.h"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/memory_budget.h"
+#include "base/poll.h"
 #include "base/scratch.h"
-#include "base/stop.h"
 #include "base/two_lanes.h"
 #include "planar/motion/operand_pair.h"
 #include "planar/motion/scaling_forms.h"

@@ -13,7 +13,6 @@
 #include <type_traits>
 
 #include "exact/big.h"
-#include "exact/fine_interval.h"
 #include "exact/interval.h"
 #include "exact/root_expression.h"
 #include "shape/complex/mark.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "exact/orient.h"
 
 namespace dymsum::shape {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "exact/rung.h"
+#include "exact/orient.h"
 #include "shape/complex/formulas.h"
 
 namespace dymsum::shape {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 
 namespace dymsum::shape::rough {
 

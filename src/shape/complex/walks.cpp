@@ -5,7 +5,7 @@
 #include <numeric>
 #include <span>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "exact/grid.h"
 #include "exact/orient.h"
 #include "shape/complex/half_edges.h"

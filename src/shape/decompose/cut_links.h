@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "dymsum/rational.h"
 #include "shape/decompose/ring_table.h"
 

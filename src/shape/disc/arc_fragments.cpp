@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "shape/disc/arc_group.h"
 #include "shape/disc/lazy_vector.h"
 

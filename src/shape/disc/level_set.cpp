@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "shape/disc/level_rings.h"
 #include "shape/disc/run_pieces.h"
 #include "shape/disc/tight_features.h"

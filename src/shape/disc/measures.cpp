@@ -7,7 +7,7 @@
 
 #include "dymsum/growing_disc.h"
 #include "exact/big.h"
-#include "exact/decimal_text.h"
+#include "exact/rational_text.h"
 #include "exact/rounding_bound.h"
 
 namespace dymsum {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "shape/disc/disc_arcs.h"
 #include "shape/disc/level_set.h"
 #include "shape/disc/nested_rings.h"

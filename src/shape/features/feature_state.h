@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dymsum/shape_features.h"
-#include "exact/rational_parts.h"
+#include "exact/big.h"
 #include "shape/features/boundary_loops.h"
 #include "shape/features/chain_extremes.h"
 #include "shape/features/pocket.h"

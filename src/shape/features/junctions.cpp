@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 
 namespace dymsum::shape {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/free_memory.h"
+#include "base/memory_budget.h"
 #include "spatial/arrangement/counted_growth.h"
 #include "spatial/arrangement/near_pairs.h"
 

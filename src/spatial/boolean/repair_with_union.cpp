@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "dymsum/solid_union.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/mesh_repair.h"
 #include "spatial/mesh/six_volume.h"

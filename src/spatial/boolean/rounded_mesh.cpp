@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/in_single.h"
+#include "base/doubles.h"
 #include "dymsum/spatial_sum.h"
 #include "exact/big.h"
 #include "spatial/sum/sum_source.h"

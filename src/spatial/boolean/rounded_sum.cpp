@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/in_single.h"
+#include "base/doubles.h"
 #include "dymsum/solid_union.h"
 #include "spatial/mesh/six_volume.h"
 #include "spatial/sum/rounded_surface.h"

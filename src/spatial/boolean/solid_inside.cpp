@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/budget_error.h"
+#include "base/memory_budget.h"
 #include "base/poll.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/boolean/cell_windings.h"
 #include "spatial/boundary/cell_links.h"
 #include "spatial/mesh/equal_positions.h"

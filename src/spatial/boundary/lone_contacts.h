@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/shared_byte.h"
+#include "base/parallel.h"
 #include "spatial/arrangement/facet_table.h"
 #include "spatial/convolution/direction.h"
 

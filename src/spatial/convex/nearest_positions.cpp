@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 #include "base/two_lanes.h"
 #include "exact/rounding_bound.h"
 #include "spatial/gauss/relative_map.h"

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
-#include "exact/binary_parts.h"
+#include "exact/big.h"
 #include "spatial/mesh/fine_coordinate.h"
 #include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/rounded_vector.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/shared_byte.h"
+#include "base/parallel.h"
 #include "spatial/convolution/direction.h"
 
 namespace dymsum::spatial {

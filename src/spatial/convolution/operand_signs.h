@@ -7,7 +7,7 @@
 
 #include "dymsum/mesh.h"
 #include "exact/big.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "exact/vector3.h"
 
 namespace dymsum::spatial {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <optional>
 
-#include "base/hypot3.h"
+#include "base/doubles.h"
 #include "dymsum/solid_erosion.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/erode/erosion.h"
 #include "spatial/sum/face_triangles.h"
 #include "spatial/sum/rounded_surface.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/bit_cast.h"
+#include "base/doubles.h"
 
 namespace dymsum::spatial {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "spatial/events/plane_names.h"
 #include "spatial/events/rotation_walk.h"
 #include "spatial/motion/beside_origin.h"

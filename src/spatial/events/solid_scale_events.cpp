@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "exact/rational_order.h"
+#include "exact/big.h"
 #include "planar/operand/scale_value.h"
 #include "spatial/events/plane_names.h"
 #include "spatial/events/scale_judge.h"

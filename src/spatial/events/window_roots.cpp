@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/binary_parts.h"
+#include "exact/big.h"
 #include "exact/root_bracket.h"
 
 namespace dymsum::spatial {

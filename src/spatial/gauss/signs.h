@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "exact/orient.h"
 #include "exact/rounding_bound.h"
-#include "exact/rung.h"
 #include "spatial/gauss/polytope.h"
 #include "spatial/gauss/relative_map.h"
 

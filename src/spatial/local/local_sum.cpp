@@ -9,7 +9,6 @@
 
 #include "base/double_text.h"
 #include "base/poll.h"
-#include "base/stopwatch.h"
 #include "spatial/convolution/facet_rule.h"
 #include "spatial/local/ball_faces.h"
 #include "spatial/local/local_boundary.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "dymsum/mesh.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/mesh/mesh_canonical.h"
 #include "spatial/mesh/mesh_validate.h"
 

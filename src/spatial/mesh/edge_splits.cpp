@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/hypot3.h"
-#include "exact/orient3.h"
+#include "base/doubles.h"
+#include "exact/orient.h"
 #include "exact/vector3.h"
 #include "spatial/mesh/box_tree.h"
 #include "spatial/mesh/grid_positions.h"

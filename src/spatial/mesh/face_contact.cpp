@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "exact/orient3.h"
+#include "exact/orient.h"
 
 namespace dymsum::spatial {
 

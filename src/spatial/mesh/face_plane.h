@@ -7,7 +7,7 @@
 
 #include "dymsum/mesh.h"
 #include "dymsum/region.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 
 namespace dymsum::spatial {
 

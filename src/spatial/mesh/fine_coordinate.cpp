@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/binary_parts.h"
+#include "exact/big.h"
 
 namespace dymsum::spatial {
 

@@ -1,10 +1,9 @@
 // Integers of any size as intervals of thirty digits, or of seventy.
 #pragma once
 
+#include "exact/algebraic_root.h"
 #include "exact/big.h"
-#include "exact/fine_interval.h"
-#include "exact/root_value.h"
-#include "exact/wide_interval.h"
+#include "exact/interval.h"
 
 namespace dymsum::spatial {
 

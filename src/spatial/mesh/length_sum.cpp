@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "exact/decimal_text.h"
-#include "exact/square_root.h"
+#include "exact/big.h"
+#include "exact/rational_text.h"
 #include "spatial/mesh/fine_coordinate.h"
 #include "spatial/mesh/rounded_vector.h"
 

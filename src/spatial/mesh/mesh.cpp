@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "base/hypot3.h"
+#include "base/doubles.h"
 #include "dymsum/volume_text.h"
 #include "exact/big.h"
-#include "exact/decimal_text.h"
+#include "exact/rational_text.h"
 #include "spatial/mesh/mesh_validate.h"
 #include "spatial/mesh/scaled_number.h"
 #include "spatial/mesh/six_volume.h"

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/mesh/edge_bend.h"
 #include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/half_edges.h"

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "base/hypot3.h"
+#include "base/doubles.h"
 #include "dymsum/mesh.h"
 #include "exact/vector3.h"
 #include "spatial/mesh/grid_positions.h"

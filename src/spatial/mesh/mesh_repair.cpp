@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "dymsum/named_repairs.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/mesh/duplicate_faces.h"
 #include "spatial/mesh/edge_order.h"
 #include "spatial/mesh/edge_splits.h"

@@ -5,8 +5,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/hypot3.h"
-#include "exact/orient3.h"
+#include "base/doubles.h"
+#include "exact/orient.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/triangulate.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "exact/big.h"
-#include "exact/decimal_text.h"
+#include "exact/rational_text.h"
 
 namespace dymsum::spatial {
 

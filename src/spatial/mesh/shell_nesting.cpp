@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/mesh/grid_points.h"
 
 namespace dymsum::spatial {

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/mesh/grid_points.h"
 
 namespace dymsum::spatial {

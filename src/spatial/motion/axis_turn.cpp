@@ -4,7 +4,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "exact/rational_parts.h"
+#include "exact/big.h"
 
 namespace dymsum::spatial {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dymsum/solid_rotation_events.h"
-#include "exact/root_value.h"
+#include "exact/algebraic_root.h"
 #include "spatial/convex/exact_positions.h"
 
 namespace dymsum::spatial {

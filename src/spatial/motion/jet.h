@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 
 namespace dymsum::spatial {
 

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "exact/interval.h"
 #include "exact/vector3.h"
-#include "exact/wide_interval.h"
 #include "spatial/convolution/sum_space.h"
 #include "spatial/mesh/box_tree.h"
 #include "spatial/motion/axis_turn.h"

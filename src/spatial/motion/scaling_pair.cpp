@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "exact/limbs.h"
+#include "exact/int.h"
 
 namespace dymsum::spatial {
 

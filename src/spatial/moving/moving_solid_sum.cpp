@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "spatial/moving/moving_pair.h"
 #include "spatial/sum/grid_error.h"
 

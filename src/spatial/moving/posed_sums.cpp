@@ -3,7 +3,7 @@
 #include <mutex>
 
 #include "base/parallel.h"
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "spatial/convex/pose_order.h"
 #include "spatial/moving/moving_pair.h"
 

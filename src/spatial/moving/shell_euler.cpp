@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "exact/big.h"
 
 namespace dymsum::spatial {

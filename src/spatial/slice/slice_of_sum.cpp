@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/budget_error.h"
 #include "base/double_text.h"
+#include "base/memory_budget.h"
 #include "base/poll.h"
 #include "dymsum/solid_slice.h"
 #include "exact/big.h"

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <numeric>
 
-#include "base/free_memory.h"
-#include "base/shared_byte.h"
+#include "base/memory_budget.h"
+#include "base/parallel.h"
 
 namespace dymsum::spatial {
 

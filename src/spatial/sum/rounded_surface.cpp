@@ -4,7 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/mesh/surface_crossings.h"
 
 namespace dymsum::spatial {

@@ -1,6 +1,6 @@
 #include "spatial/sum/solid_boundary.h"
 
-#include "base/free_memory.h"
+#include "base/memory_budget.h"
 #include "spatial/boundary/cell_links.h"
 #include "spatial/boundary/thin_crossings.h"
 

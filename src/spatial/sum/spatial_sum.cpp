@@ -5,7 +5,7 @@
 #include <new>
 #include <string>
 
-#include "base/budget_error.h"
+#include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "base/poll.h"
 #include "spatial/boundary/thin_crossings.h"

@@ -10,9 +10,8 @@
 
 #include "dymsum/spatial_sum.h"
 #include "dymsum/volume_text.h"
-#include "exact/decimal_text.h"
-#include "exact/factored_fraction.h"
-#include "exact/square_root.h"
+#include "exact/big.h"
+#include "exact/rational_text.h"
 #include "spatial/sum/convex_measures.h"
 #include "spatial/sum/sum_source.h"
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/budget_error.h"
+#include "base/memory_budget.h"
 #include "dymsum/convex_memory.h"
 #include "spatial/convex/assemble.h"
 #include "spatial/convex/convex_state.h"

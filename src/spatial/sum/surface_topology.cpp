@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 
 namespace dymsum::spatial {
 

@@ -9,7 +9,7 @@
 
 #include "dymsum/spatial_sum.h"
 #include "exact/big.h"
-#include "exact/fine_interval.h"
+#include "exact/interval.h"
 #include "exact/vector3.h"
 
 namespace dymsum::spatial {

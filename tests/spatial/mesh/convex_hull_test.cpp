@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "dymsum/solids.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/mesh/edge_bend.h"
 #include "spatial/mesh/mesh_cases.h"
 

@@ -1,3 +1,40 @@
+// Doubles: their bits, pairs of them with nearly twice the digits, lengths, and what is left of one in single
+// precision.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace dymsum::base {
+
+// std::bit_cast, which the standard library of Debian 12's emscripten lacks.
+
+template <class To, class From>
+constexpr To bit_cast(const From& from) {
+  static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>);
+  return __builtin_bit_cast(To, from);
+}
+
+// The length of a vector in space.
+
+/// The length std::hypot(x, y, z), which some standard libraries compute without care for overflow, and each with
+/// roundings of its own: here the same everywhere.
+inline double hypot3(double x, double y, double z) {
+  const double most = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  if (!(most > 0)) return 0;
+  return most * std::sqrt((x / most) * (x / most) + (y / most) * (y / most) + (z / most) * (z / most));
+}
+
+// Single precision, as doubles.
+
+/// The nearest number of single precision, infinite past its range. The step through memory is there for GCC 12: with
+/// -O3 it leaves out the conversion to single precision and back where it takes two coordinates at a time.
+inline double in_single(double value) {
+  const volatile float nearest = static_cast<float>(value);
+  return nearest;
+}
+
 // Numbers as unevaluated sums of two doubles, about thirty digits: where doubles alone lose too much and exact integers
 // cost too much.
 //
@@ -5,11 +42,6 @@
 // error term underflows. With u = 2^-53 the sum errs by at most 3 u^2 / (1 - 4 u) and the product by 7 u^2 (Joldes,
 // Muller, Popescu 2017, algorithms 6 and 10); the two remainders of a quotient err by 11 u^2 of it, and adding its
 // parts by 3 u^2.
-#pragma once
-
-#include <cmath>
-
-namespace dymsum::base {
 
 /// The error of an operation, times its result.
 inline constexpr double kPairError = 0x1p-100;
