@@ -9,7 +9,7 @@
 
 #include "base/double_text.h"
 #include "base/poll.h"
-#include "depth/planar_nearest.h"
+#include "depth/planar_depth.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/planar_operand.h"
 #include "exact/big.h"

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "base/scratch.h"
+#include "depth/depth_operands.h"
 #include "depth/exact_frame.h"
-#include "depth/proved_sign.h"
 #include "spatial/mesh/rounded_vector.h"
 
 namespace dymsum::depth {

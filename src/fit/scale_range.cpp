@@ -6,9 +6,7 @@
 #include <string>
 
 #include "base/poll.h"
-#include "fit/fit_contacts.h"
 #include "fit/free_intervals.h"
-#include "fit/part_unit.h"
 #include "fit/path_free.h"
 #include "planar/frame/scaling_events.h"
 #include "planar/frame/scaling_sum.h"

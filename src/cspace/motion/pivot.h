@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "cspace/motion/pose.h"
+#include "cspace/motion/motion_sweep.h"
 #include "cspace/motion/slice_map.h"
 #include "dymsum/motion.h"
 #include "planar/motion/orientation.h"

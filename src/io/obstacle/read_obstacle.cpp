@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include "cspace/boundary/obstacle_state.h"
 #include "cspace/events/walked_rings.h"
-#include "cspace/obstacle/obstacle_start.h"
 #include "dymsum/obstacle_file.h"
 #include "io/obstacle/obstacle_text.h"
 #include "io/read_file.h"
