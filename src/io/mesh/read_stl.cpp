@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "io/bytes.h"
-#include "io/mesh/mesh_readers.h"
-#include "io/plain_text.h"
-#include "io/words.h"
+#include "io/mesh/mesh_files.h"
+#include "io/read_file.h"
+#include "io/source.h"
 #include "spatial/mesh/equal_positions.h"
 
 namespace dymsum::io {

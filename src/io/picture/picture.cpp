@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "dymsum/snap_rounding.h"
-#include "io/number_text.h"
+#include "io/source.h"
 #include "planar/position/exact_source.h"
 
 namespace dymsum::io {
