@@ -15,12 +15,11 @@
 #include "exact/grid.h"
 #include "exact/rounding_bound.h"
 #include "exact/vector3.h"
-#include "spatial/convex/assemble.h"
-#include "spatial/convex/convex_state.h"
+#include "spatial/convex/convex_sum.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/convex/facet_corners.h"
-#include "spatial/convex/posed_doubles.h"
 #include "spatial/gauss/overlay.h"
-#include "spatial/mesh/rounded_vector.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
 namespace {

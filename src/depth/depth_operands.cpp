@@ -9,8 +9,8 @@
 #include "base/poll.h"
 #include "depth/exact_frame.h"
 #include "dymsum/convex_solid.h"
-#include "spatial/mesh/rounded_vector.h"
-#include "spatial/sum/grid_error.h"
+#include "spatial/mesh/vec3.h"
+#include "spatial/sum/sum_source.h"
 
 namespace dymsum::depth {
 

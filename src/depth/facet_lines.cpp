@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "spatial/mesh/rounded_vector.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::depth {
 

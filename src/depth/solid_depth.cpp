@@ -14,7 +14,7 @@
 #include "depth/facet_lines.h"
 #include "dymsum/penetration_depth.h"
 #include "exact/big.h"
-#include "spatial/mesh/rounded_vector.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::depth {
 namespace {

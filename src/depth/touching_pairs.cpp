@@ -15,7 +15,7 @@
 #include "base/scratch.h"
 #include "depth/depth_operands.h"
 #include "depth/exact_frame.h"
-#include "spatial/mesh/rounded_vector.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::depth {
 

@@ -8,10 +8,10 @@
 #include "dymsum/solid_scale_events.h"
 #include "fit/free_intervals.h"
 #include "spatial/boundary/collision.h"
-#include "spatial/erode/frame.h"
+#include "spatial/erode/erosion.h"
 #include "spatial/events/meeting_point.h"
 #include "spatial/events/proved_overlap.h"
-#include "spatial/motion/computed_scale.h"
+#include "spatial/motion/posed_pair.h"
 #include "spatial/moving/posed_sum.h"
 #include "spatial/sum/feature_pairs.h"
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "spatial/convex/convex_state.h"
+#include "spatial/convex/convex_sum.h"
 #include "spatial/convex/exact_positions.h"
 #include "spatial/convex/facet_corners.h"
 #include "spatial/gauss/overlay.h"

@@ -13,7 +13,7 @@
 #include "io/mesh/mesh_files.h"
 #include "io/read_file.h"
 #include "io/source.h"
-#include "spatial/mesh/equal_positions.h"
+#include "spatial/mesh/grid_points.h"
 
 namespace dymsum::io {
 

@@ -7,7 +7,7 @@
 #include "io/bytes.h"
 #include "io/mesh/mesh_files.h"
 #include "io/source.h"
-#include "spatial/mesh/face_plane.h"
+#include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/triangulate.h"
 
 namespace dymsum::io {

@@ -4,10 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "spatial/boundary/edge_wedges.h"
-
 namespace dymsum::spatial {
-
 namespace {
 
 constexpr std::int8_t kNoWall = 2;  // of a cell's facing: it is looked through

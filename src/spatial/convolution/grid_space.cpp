@@ -7,9 +7,8 @@
 
 #include "base/parallel.h"
 #include "exact/big.h"
-#include "spatial/mesh/fine_coordinate.h"
 #include "spatial/mesh/grid_points.h"
-#include "spatial/mesh/rounded_vector.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::exact {
 

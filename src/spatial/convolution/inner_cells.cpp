@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "spatial/convolution/direction.h"
+#include "spatial/convolution/reduced_facets.h"
 
 namespace dymsum::spatial {
 

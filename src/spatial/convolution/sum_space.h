@@ -27,7 +27,7 @@
 #include "exact/algebraic_root.h"
 #include "exact/orient.h"
 #include "exact/residue.h"
-#include "spatial/mesh/grid_positions.h"
+#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "exact/residue.h"
-#include "spatial/moving/shape_hashes.h"
+#include "spatial/moving/sum_shape.h"
 
 namespace dymsum::spatial {
 

@@ -12,7 +12,7 @@
 #include "spatial/events/plane_names.h"
 #include "spatial/events/scale_judge.h"
 #include "spatial/motion/beside_origin.h"
-#include "spatial/motion/computed_scale.h"
+#include "spatial/motion/posed_pair.h"
 #include "spatial/moving/posed_sum.h"
 #include "spatial/moving/sum_shape.h"
 

@@ -1,12 +1,19 @@
 // Points of space as integers on their common lossless grid.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 #include "dymsum/mesh.h"
+#include "exact/algebraic_root.h"
 #include "exact/big.h"
 #include "exact/grid.h"
+#include "exact/interval.h"
+#include "exact/vector3.h"
 
 namespace dymsum::spatial {
 
@@ -64,5 +71,53 @@ auto with_grid_points(const std::vector<Point3>& points, const SpaceGrid& grid, 
   }
   return f(grid_points<exact::Big>(points, grid));
 }
+
+// Positions of space as integers on one lossless grid, the same for all axes.
+
+struct GridPositions {
+  std::vector<std::array<std::int64_t, 3>> grid;  // when bits <= 61
+  std::vector<exact::Vector3<exact::Big>> big;    // otherwise
+  int bits = 0;                                   // |coordinates| <= 2^bits
+  int exponent = 0;                               // grid unit 2^exponent
+
+  /// Coordinates of a position as a C. Requires that they fit.
+  template <class C>
+  exact::Vector3<C> position(std::uint32_t v) const {
+    if constexpr (std::is_same_v<C, exact::Big>) {
+      if (!big.empty()) return big[v];
+    }
+    return {C::from_int64(grid[v][0]), C::from_int64(grid[v][1]), C::from_int64(grid[v][2])};
+  }
+};
+
+/// Requires finite coordinates.
+GridPositions grid_positions(std::span<const Point3> points);
+/// Multiples of 2^exponent.
+GridPositions grid_positions(const std::vector<exact::Vector3<exact::Big>>& points, int exponent);
+
+/// Calls f with a value of the narrowest coordinate type (Int<26>, Int<61> or Big) that holds the positions.
+template <class F>
+auto with_coordinates(const GridPositions& p, F&& f) {
+  if (p.bits <= 26) return f(exact::Int<26>{});
+  if (p.bits <= 61) return f(exact::Int<61>{});
+  return f(exact::Big{});
+}
+
+// Integers of any size as intervals of thirty digits, or of seventy.
+
+/// v 2^shift. Requires that to be at most 1 in magnitude.
+exact::FineInterval fine_coordinate(const exact::Big& v, int shift);
+/// The same of a value at a root.
+exact::FineInterval fine_coordinate(const exact::RootValue& v, int shift);
+/// The same with all digits that a WideInterval has.
+exact::WideInterval wide_coordinate(const exact::RootValue& v, int shift);
+
+// Points in the order of their coordinates, and which of them are at one position.
+
+/// The indices of all points by x, then y, then z; those at one position by index. O(n log n).
+std::vector<std::uint32_t> order_by_position(const std::vector<Point3>& points);
+
+/// The first of the points at every one's position. O(n log n).
+std::vector<std::uint32_t> first_at_position(const std::vector<Point3>& points);
 
 }  // namespace dymsum::spatial

@@ -1,10 +1,13 @@
 // Vectors of doubles for filters, pictures and reports; no decision rests on them alone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "dymsum/mesh.h"
+#include "exact/big.h"
+#include "exact/vector3.h"
 
 namespace dymsum::spatial {
 
@@ -30,6 +33,51 @@ inline Mat3 transposed(const Mat3& m) {
 }
 inline Mat3 operator*(const Mat3& a, const Mat3& b) {
   return {row_times(a[0], b), row_times(a[1], b), row_times(a[2], b)};
+}
+
+// Exact vectors rounded to doubles, whatever their size.
+
+/// |v| <= 2^bit_length(v); 0 for zero.
+inline int bit_length(const exact::Big& v) {
+  return sign(v) == 0 ? 0 : static_cast<int>(msb(exact::BigInteger(abs(v.value())))) + 1;
+}
+inline int bit_length(const exact::Vector3<exact::Big>& v) {
+  return std::max({bit_length(v.x), bit_length(v.y), bit_length(v.z)});
+}
+template <int B>
+int bit_length(const exact::Vector3<exact::Int<B>>& v) {
+  const double most = std::max({std::abs(to_double(v.x)), std::abs(to_double(v.y)), std::abs(to_double(v.z))});
+  return most == 0 ? 0 : std::ilogb(most) + 1;
+}
+
+/// 2^exponent v with a relative error below 2^-52, unless the result is beyond the range of doubles.
+inline double rounded(const exact::Big& v, int exponent) {
+  const int drop = std::max(0, bit_length(v) - 120);  // what is cut is below 2^-119 of the number
+  const exact::BigInteger top = exact::BigInteger(abs(v.value())) >> static_cast<unsigned>(drop);
+  return std::ldexp(to_double(exact::Big(top)) * (sign(v) < 0 ? -1.0 : 1.0), exponent + drop);
+}
+inline Vec3 rounded(const exact::Vector3<exact::Big>& v, int exponent) {
+  return {rounded(v.x, exponent), rounded(v.y, exponent), rounded(v.z, exponent)};
+}
+/// The same. Requires -600 <= exponent <= 600, which keeps integers of up to 400 bits within the range of doubles.
+template <int B>
+double rounded(const exact::Int<B>& v, int exponent) {
+  static_assert(B <= 400);
+  return exact::power_of_two(exponent) * to_double(v);
+}
+template <int B>
+Vec3 rounded(const exact::Vector3<exact::Int<B>>& v, int exponent) {
+  return exact::power_of_two(exponent) * Vec3{to_double(v.x), to_double(v.y), to_double(v.z)};
+}
+
+/// The unit vector of an exact one that is not zero. Scaled by a power of two so that the largest component is about 1,
+/// components err by 2^-52 of themselves, or by less than 2^-1074; the length has relative error below 2^-51: together
+/// below 2^-50.
+template <class T>
+Vec3 unit(const exact::Vector3<T>& v) {
+  const Vec3 d = rounded(v, -bit_length(v));
+  const double size = length(d);
+  return {d.x / size, d.y / size, d.z / size};
 }
 
 }  // namespace dymsum::spatial

@@ -2,7 +2,7 @@
 
 #include "base/memory_budget.h"
 #include "spatial/boundary/cell_links.h"
-#include "spatial/boundary/thin_crossings.h"
+#include "spatial/boundary/collision.h"
 
 namespace dymsum::spatial {
 

@@ -1,26 +1,88 @@
-#include "dymsum/spatial_sum.h"
+#include "spatial/sum/spatial_sum.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <memory>
 #include <new>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "base/poll.h"
-#include "spatial/boundary/thin_crossings.h"
+#include "dymsum/convex_memory.h"
+#include "dymsum/spatial_sum.h"
+#include "exact/big.h"
+#include "spatial/boundary/collision.h"
+#include "spatial/convex/convex_sum.h"
 #include "spatial/convolution/predicted_cost.h"
-#include "spatial/sum/face_triangles.h"
-#include "spatial/sum/grid_error.h"
+#include "spatial/sum/solid_boundary.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_of_convex_solids.h"
-#include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
-#include "spatial/sum/sum_trace.h"
-#include "spatial/sum/touching_vertices.h"
+#include "spatial/sum/vertex_signs.h"
+
+namespace dymsum::spatial {
+namespace {
+
+// What a sum of solids went through, for pictures.
+
+/// A space's doubles in the operands' own coordinates, rounded.
+class World {
+ public:
+  explicit World(const SumSpace& space) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const SumSpace::Line line = space.line(axis);
+      unit_[axis] = std::ldexp(1.0, line.unit), offset_[axis] = line.p_offset + line.q_offset;
+    }
+  }
+  Point3 operator()(Vec3 v) const {
+    return {v.x * unit_[0] + offset_[0], v.y * unit_[1] + offset_[1], v.z * unit_[2] + offset_[2]};
+  }
+
+ private:
+  double unit_[3], offset_[3];
+};
+
+/// Throws OverBudget.
+SpatialTrace trace_of(const SolidBoundary& boundary, StageWatch& watch) {
+  SpatialTrace trace;
+  watch.hold(boundary.table.facets.size() * (sizeof(SpatialTrace::Facet) + 4 * sizeof(Point3)));
+  trace.facets.reserve(boundary.table.facets.size());
+  const SumSpace& space = *boundary.space;
+  const World world(space);
+  for (const TableFacet& f : boundary.table.facets) {
+    SpatialTrace::Facet& facet = trace.facets.emplace_back();
+    facet.corners.reserve(static_cast<std::size_t>(f.facet.corners));
+    facet.kind = static_cast<SpatialTrace::Facet::Kind>(f.facet.kind);
+    for (int k = 0; k < f.facet.corners; ++k) facet.corners.push_back(world(space.approx(f.facet.corner[k])));
+  }
+  const SolidArrangement& arrangement = *boundary.arrangement;
+  // What runs through facets, not around them.
+  const auto inside = [&](std::uint32_t edge) {
+    const auto uses = arrangement.uses(edge);
+    return std::any_of(uses.begin(), uses.end(), [&](EdgeUse use) {
+      const CellEdge& e = arrangement.edge(use);
+      return e.left != kNoId && e.right != kNoId;
+    });
+  };
+  watch.hold(arrangement.edge_ends.size() * sizeof(trace.pieces[0]));
+  trace.pieces.reserve(arrangement.edge_ends.size());
+  for (std::uint32_t edge = 0; edge < arrangement.edge_ends.size(); ++edge) {
+    if (!inside(edge)) continue;
+    const auto [a, b] = arrangement.edge_ends[edge];
+    trace.pieces.push_back({world(arrangement.points.approx(a).at), world(arrangement.points.approx(b).at)});
+  }
+  return trace;
+}
+
+}  // namespace
+}  // namespace dymsum::spatial
 
 namespace dymsum {
-
 namespace {
 
 /// The reference takes operands as they are.
@@ -150,6 +212,104 @@ bool operator==(const SpatialSum& a, const SpatialSum& b) {
   for (std::size_t k = 0; k < a.vertices.size(); ++k)
     if (a.positions_->at(k) != b.positions_->at(k)) return false;
   return true;
+}
+
+// Whether positions lie in the sum of two solids, by definition.
+
+namespace {
+
+using spatial::Flag;
+using spatial::PointSource;
+
+Error error_of(const char* message) { return {ErrorCode::unsupported_operand, message, {}}; }
+
+}  // namespace
+
+Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<const RationalPoint3> positions,
+                                        Semantics semantics, const Progress& progress) {
+  std::vector<bool> inside(positions.size());
+  if (p.empty() || q.empty()) return inside;
+  const spatial::SolidOperand a = spatial::solid_operand(p.data(), p.thin_faces(), spatial::FlatFeatures::kept),
+                              b = spatial::solid_operand(q.data(), q.thin_faces(), spatial::FlatFeatures::kept);
+  std::unique_ptr<spatial::SumSpace> space;
+  try {
+    space = spatial::make_sum_space(p.vertices(), q.vertices());
+  } catch (const std::invalid_argument& e) {
+    return error_of(e.what());
+  }
+  const bool open = semantics == Semantics::open;
+  if (p.has_thin_parts() && q.has_thin_parts()) {
+    if (semantics == Semantics::regular)
+      return error_of(
+          "both operands have parts without volume: what of their sum is near its interior cannot be asked");
+    if (open && spatial::find_thin_crossing(*space, a, b))
+      return error_of("both operands have parts without volume that can cross: they have no open sum");
+  }
+  const spatial::Collision collision(*space, a, b);
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    if (progress && !progress("positions", static_cast<double>(k) / static_cast<double>(positions.size())))
+      return cancelled();
+    const RationalPoint3& z = positions[k];
+    const std::optional<PointSource> at =
+        space->add_position({exact::exact_value(z.x), exact::exact_value(z.y), exact::exact_value(z.z)});
+    if (!at) continue;
+    const Flag flag{*at, 0, 0, 0, 0, 0};
+    inside[k] = open ? collision.overlaps(flag) : collision.touches(flag);
+  }
+  return inside;
+}
+
+Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics semantics) {
+  const Result<Rational> x = Rational::of(z.x), y = Rational::of(z.y), height = Rational::of(z.z);
+  if (!x || !y || !height) return false;
+  const RationalPoint3 at{*x, *y, *height};
+  const Result<std::vector<bool>> inside = contains_each(p, q, std::span(&at, 1), semantics);
+  if (!inside) return inside.error();
+  return static_cast<bool>(inside->front());
+}
+
+// A convex sum as an operand of the next one, from its exact positions.
+
+namespace {
+
+using exact::Big;
+using exact::BigInteger;
+
+/// The sum's exact vertices and faces. Errors: unsupported_operand where positions are not multiples of a power of two.
+Result<spatial::ExactSolid> exact_solid(const SpatialSum& sum) {
+  const spatial::ConvexPositions* positions = spatial::SpatialSumInternals::convex(sum);
+  if (!positions) return Error{ErrorCode::unsupported_operand, "this sum was not made of convex solids", {}};
+  const exact::BigRational unit = positions->unit() / spatial::SpatialSumInternals::positions(sum).scale;
+  const BigInteger num = numerator(unit), den = denominator(unit);
+  if (den != BigInteger(1) << msb(den))
+    return Error{ErrorCode::unsupported_operand,
+                 "a turned or scaled sum, whose positions are no binary fractions, cannot be an operand",
+                 {}};
+  spatial::ExactSolid solid;
+  solid.exponent = -static_cast<int>(msb(den));
+  for (const spatial::BigVector& at : positions->numerators())
+    solid.vertices.push_back(
+        {Big(BigInteger(at[0] * num)), Big(BigInteger(at[1] * num)), Big(BigInteger(at[2] * num))});
+  for (const SpatialFace& f : sum.faces) solid.faces.push_back(f.loops[0]);
+  return solid;
+}
+
+}  // namespace
+
+Result<ConvexSum> ConvexSum::create(const SpatialSum& p, const Mesh& q) { return convex_sum_within(p, q, 0); }
+
+Result<ConvexSum> convex_sum_within(const SpatialSum& p, const Mesh& q, std::uint64_t memory) {
+  Result<spatial::ExactSolid> solid = exact_solid(p);
+  if (!solid) return solid.error();
+  Result<spatial::Polytope> b = spatial::make_polytope(q);
+  if (!b) return b.error();
+  auto source = std::make_shared<spatial::ConvexOperands>();
+  source->operand[0].exact = solid->vertices;
+  source->operand[0].exponent = solid->exponent;
+  source->operand[1].vertices = q.vertices();
+  return spatial::ConvexSumInternals::of(std::make_shared<const spatial::Polytope>(spatial::make_polytope(*solid)),
+                                         std::make_shared<const spatial::Polytope>(std::move(b).value()),
+                                         std::move(source), memory);
 }
 
 }  // namespace dymsum

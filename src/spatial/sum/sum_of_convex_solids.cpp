@@ -7,9 +7,8 @@
 
 #include "base/memory_budget.h"
 #include "dymsum/convex_memory.h"
-#include "spatial/convex/assemble.h"
-#include "spatial/convex/convex_state.h"
-#include "spatial/convex/position_order.h"
+#include "spatial/convex/convex_sum.h"
+#include "spatial/convex/nearest_positions.h"
 #include "spatial/sum/sum_source.h"
 
 namespace dymsum {

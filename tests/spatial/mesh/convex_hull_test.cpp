@@ -6,7 +6,7 @@
 
 #include "dymsum/solids.h"
 #include "exact/orient.h"
-#include "spatial/mesh/edge_bend.h"
+#include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/mesh_cases.h"
 
 namespace dymsum::spatial_test {

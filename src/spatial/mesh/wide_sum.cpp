@@ -1,4 +1,4 @@
-#include "spatial/mesh/length_sum.h"
+#include "spatial/mesh/wide_sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include "exact/big.h"
 #include "exact/rational_text.h"
-#include "spatial/mesh/fine_coordinate.h"
-#include "spatial/mesh/rounded_vector.h"
+#include "spatial/mesh/grid_points.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
 
