@@ -375,7 +375,7 @@ SolidDistance SolidDepth::at(const Move& q_moved_by, double time_limit) {
   const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, from);
   // Of convex solids the nearest facet is the answer on both sides of it.
   const bool covers = overlapping && !o.convex;
-  const depth::NearestPositions found = nearest_positions(view, frame, *probe_, covers, time_limit);
+  const depth::NearestPositions found = depth::nearest_positions(view, frame, *probe_, covers, time_limit);
   if (found.all.empty()) {
     SolidDistance result;
     result.meeting = overlapping ? Meeting::overlapping : Meeting::apart;

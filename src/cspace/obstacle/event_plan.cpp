@@ -314,13 +314,13 @@ static_assert(kTurnedSide + kTurnedCross + kTurnedPosition <= kCrossing && kCros
 
 /// A disc that provably holds the position of an event, or the interval along which it changes the boundary; infinite
 /// for alignments and where doubles do not decide.
-struct Spot {
+struct EventDisc {
   Point at;
   double radius = INFINITY;
-  bool apart_from(const Spot& o) const { return std::hypot(at.x - o.at.x, at.y - o.at.y) > radius + o.radius; }
+  bool apart_from(const EventDisc& o) const { return std::hypot(at.x - o.at.x, at.y - o.at.y) > radius + o.radius; }
 };
 
-Spot around_common_interval(const RotationEvent& event, const TurningForms& forms, Heading h) {
+EventDisc around_common_interval(const RotationEvent& event, const TurningForms& forms, Heading h) {
   const Point d = forms.direction(event.a, h), e = forms.direction(event.b, h);
   const Point s = forms.position(TurningForms::start(event.a), h), t = forms.position(TurningForms::start(event.b), h);
   const double length = std::hypot(d.x, d.y), from = (d.x * (t.x - s.x) + d.y * (t.y - s.y)) / length;
@@ -331,16 +331,16 @@ Spot around_common_interval(const RotationEvent& event, const TurningForms& form
 
 // The position start + (side / cross) d of a crossing moves by at most span (1 + 4 / sin) for every radian, the sine
 // being that of the angle between the segments, and errs by less than 2^-40 span / sin.
-Spot spot_of(const RotationEvent& event, const TurningForms& forms, Heading h) {
-  Spot spot;
-  if (event.high - event.low > kAngle) return spot;
+EventDisc disc_of(const RotationEvent& event, const TurningForms& forms, Heading h) {
+  EventDisc disc;
+  if (event.high - event.low > kAngle) return disc;
   if (event.kind == RotationEvent::Kind::vertex_on_segment)
     return {forms.position(event.v, h), 2 * kAngle * forms.span()};
   if (event.kind == RotationEvent::Kind::overlap) return around_common_interval(event, forms, h);
-  if (event.kind != RotationEvent::Kind::three_segments) return spot;
+  if (event.kind != RotationEvent::Kind::three_segments) return disc;
   const EventPosition position = position_of(event, forms, h);
-  if (position.sine > kPlacedLeast) spot = {position.at, 8 * kAngle * forms.span() / position.sine};
-  return spot;
+  if (position.sine > kPlacedLeast) disc = {position.at, 8 * kAngle * forms.span() / position.sine};
+  return disc;
 }
 
 bool may_exist_near(const RotationCatalog& catalog, const WalkSegment& s, const RotationEvent& event) {
@@ -391,10 +391,10 @@ std::vector<std::uint32_t> segments_of(const RotationEvent& event, const SweepSc
 
 std::vector<EventGroup> clusters(const EventGroup& group, const SweepScene& scene) {
   if (group.size() == 1) return {group};
-  std::vector<Spot> spots;
+  std::vector<EventDisc> discs;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> segments;  // id, event
   for (std::uint32_t k = 0; k < group.size(); ++k) {
-    spots.push_back(spot_of(*group[k], scene.forms, Heading::of(group[k]->theta())));
+    discs.push_back(disc_of(*group[k], scene.forms, Heading::of(group[k]->theta())));
     for (const std::uint32_t s : segments_of(*group[k], scene)) segments.emplace_back(s, k);
   }
   std::sort(segments.begin(), segments.end());
@@ -402,7 +402,7 @@ std::vector<EventGroup> clusters(const EventGroup& group, const SweepScene& scen
   Partition together(group.size());
   for (std::size_t i = 0; i < segments.size(); ++i)
     for (std::size_t j = i + 1; j < segments.size() && segments[j].first == segments[i].first; ++j)
-      if (!spots[segments[i].second].apart_from(spots[segments[j].second]))
+      if (!discs[segments[i].second].apart_from(discs[segments[j].second]))
         together.join(segments[i].second, segments[j].second);
   std::vector<EventGroup> parts(group.size());
   for (std::uint32_t k = 0; k < group.size(); ++k) parts[together.find(k)].push_back(group[k]);

@@ -361,6 +361,8 @@ class ArcGroup {
   std::uint32_t first_ = 0;                                     ///< fragment
 };
 
+}  // namespace
+
 void join(ArcSet& arcs, std::uint32_t fragment) {
   ArcFragment& here = arcs.fragments[fragment];
   std::uint32_t after = fragment + 1;
@@ -375,6 +377,8 @@ std::uint32_t joined_into(const ArcSet& arcs, std::uint32_t fragment) {
   while (arcs.fragments[fragment].joined) --fragment;
   return fragment;
 }
+
+namespace {
 
 /// Adds the fragments of these arcs, the overlaps and the touches of their discs.
 void cut_group(const DiscPositions& positions, ArcSet& arcs, const std::vector<std::uint32_t>& members) {

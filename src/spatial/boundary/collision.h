@@ -84,8 +84,6 @@ class Collision {
 
 // One position: sides of planes on which it lies, by doubles where they decide.
 
-inline double sum_of_sizes(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-
 struct FlagQuery {
   const SumSpace& space;
   const Flag& flag;

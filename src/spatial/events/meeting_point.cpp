@@ -227,8 +227,6 @@ bool hold(const MovingFacets& all, const MeetingFeatures& features, const ExactM
 
 namespace {
 
-double sum_of_sizes(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-
 /// A facet edge as place + l way, l from 0 to `length` at a scale.
 struct Line {
   Vec3 position, direction;
