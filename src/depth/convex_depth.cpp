@@ -13,8 +13,8 @@
 
 #include "exact/big.h"
 #include "exact/grid.h"
+#include "exact/int.h"
 #include "exact/rounding_bound.h"
-#include "exact/vector3.h"
 #include "spatial/convex/convex_sum.h"
 #include "spatial/convex/exact_positions.h"
 #include "spatial/convex/facet_corners.h"

@@ -12,7 +12,7 @@
 #include "dymsum/rotation.h"
 #include "exact/big.h"
 #include "exact/grid.h"
-#include "exact/vector3.h"
+#include "exact/int.h"
 #include "spatial/convolution/reduced_facets.h"
 #include "spatial/mesh/box_tree.h"
 

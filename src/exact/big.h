@@ -1,20 +1,27 @@
-// Arbitrary precision behind the same operations as Int<B>, so that templated code runs with either, and exact
-// rationals with their one rounding to doubles. Includes Boost.Multiprecision: include int.h alone where that is
-// enough.
+// Integers and rationals of any size: their parts, roots and residues, and as text.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "dymsum/rational.h"
+#include "dymsum/result.h"
 #include "exact/int.h"
 
 namespace dymsum::exact {
+
+// Arbitrary precision behind the same operations as Int<B>, so that templated code runs with either, and exact
+// rationals with their one rounding to doubles. Includes Boost.Multiprecision: include int.h alone where that is
+// enough.
 
 using BigInteger = boost::multiprecision::cpp_int;
 using BigRational = boost::multiprecision::cpp_rational;
@@ -227,5 +234,75 @@ HomogeneousPoint in_lowest_terms(HomogeneousPoint p);
 HomogeneousPoint without_twos(HomogeneousPoint p);
 /// That of a finite double point.
 HomogeneousPoint homogeneous(double x, double y);
+
+// Exact numbers as text and of text: fractions, decimals.
+
+// Exact rationals as decimal numbers of a given length.
+
+/// v with `digits` significant digits, rounded half to even, and an exponent of two digits or more, as "%.16e" prints
+/// doubles: "-1.25e+400"; "0" for zero. Requires digits >= 1.
+std::string decimal_text(const BigRational& v, int digits);
+
+// Rational numbers as people write them.
+
+inline constexpr unsigned kMaxTextBits = 4096;  ///< of numerators and denominators
+
+/// "3/2", "1.01" or "1e-3", each exactly what it says; `what` names it in messages. Errors: malformed for anything
+/// else; `code` for a denominator of zero and for texts much too long.
+Result<BigRational> number_in(std::string_view text, std::string_view what, ErrorCode code,
+                              std::size_t most_characters = 4 * kMaxTextBits);
+
+// Exact integers modulo the prime 2^61 - 1: a value that every representation of a rational number shares, to find
+// equal ones by.
+
+/// A number below 2^61 - 1.
+using Residue = std::uint64_t;
+inline constexpr Residue kResiduePrime = (std::uint64_t{1} << 61) - 1;
+
+/// v modulo the prime, for any 128 bits: v = a 2^61 + b, and 2^61 is 1.
+constexpr Residue folded(u128 v) {
+  std::uint64_t low = static_cast<std::uint64_t>(v) & kResiduePrime;
+  low += static_cast<std::uint64_t>(v >> 61) & kResiduePrime;  // below 2^62
+  low += static_cast<std::uint64_t>(v >> 122);                 // at most 2^6
+  low = (low & kResiduePrime) + (low >> 61);
+  return low >= kResiduePrime ? low - kResiduePrime : low;
+}
+constexpr Residue times(Residue a, Residue b) { return folded(static_cast<u128>(a) * b); }
+constexpr Residue plus(Residue a, Residue b) {
+  const Residue s = a + b;
+  return s >= kResiduePrime ? s - kResiduePrime : s;
+}
+constexpr Residue minus(Residue a, Residue b) { return a >= b ? a - b : a + kResiduePrime - b; }
+
+/// The factor with times(a, inverse(a)) == 1, by Fermat. Requires a != 0.
+constexpr Residue inverse(Residue a) {
+  Residue result = 1;
+  for (std::uint64_t e = kResiduePrime - 2; e != 0; e >>= 1, a = times(a, a))
+    if (e & 1) result = times(result, a);
+  return result;
+}
+
+/// The residue of an exact integer.
+template <int B>
+Residue residue(const Int<B>& v) {
+  if constexpr (B <= 62) {
+    return v.raw() < 0 ? minus(0, folded(static_cast<u128>(-static_cast<i128>(v.raw()))))
+                       : folded(static_cast<u128>(v.raw()));
+  } else if constexpr (B <= 126) {
+    return v.raw() < 0 ? minus(0, folded(static_cast<u128>(-v.raw()))) : folded(static_cast<u128>(v.raw()));
+  } else {
+    const Int<B> size = abs(v);
+    Residue r = 0;
+    for (int i = static_cast<int>(size.raw().w.size()); i-- > 0;)
+      r = folded((static_cast<u128>(r) << 64) + size.raw().w[i]);
+    return sign(v) < 0 ? minus(0, r) : r;
+  }
+}
+inline Residue residue(const Big& v) {
+  const auto r = static_cast<Residue>(boost::multiprecision::abs(v.value()) % kResiduePrime);
+  return sign(v) < 0 ? minus(0, r) : r;
+}
+
+static_assert(times(inverse(12345), 12345) == 1 && plus(minus(3, 5), 2) == 0);
 
 }  // namespace dymsum::exact

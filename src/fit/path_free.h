@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "dymsum/scale_range.h"
-#include "planar/arrangement/soup.h"
+#include "planar/arrangement/crossings.h"
 #include "planar/convolution/convolution.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/motion/scaling_forms.h"
 
 namespace dymsum::planar {
 

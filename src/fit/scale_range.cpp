@@ -11,7 +11,6 @@
 #include "planar/frame/scaling_events.h"
 #include "planar/frame/scaling_sum.h"
 #include "planar/operand/operand.h"
-#include "planar/region/engine_region.h"
 #include "planar/region/region.h"
 
 namespace dymsum {

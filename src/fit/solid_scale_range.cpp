@@ -12,7 +12,7 @@
 #include "spatial/events/meeting_point.h"
 #include "spatial/events/proved_overlap.h"
 #include "spatial/motion/posed_pair.h"
-#include "spatial/moving/posed_sum.h"
+#include "spatial/moving/moving_solid_sum.h"
 #include "spatial/sum/feature_pairs.h"
 
 namespace dymsum::spatial {

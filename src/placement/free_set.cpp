@@ -7,8 +7,8 @@
 #include <unordered_map>
 
 #include "planar/position/exact_source.h"
-#include "planar/result/finish_sum.h"
 #include "planar/result/pieces.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::placement {
 namespace {

@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
+#include "exact/big.h"
 #include "exact/interval.h"
-#include "exact/rational_text.h"
 
 namespace dymsum::exact {
 namespace {

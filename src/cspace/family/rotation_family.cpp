@@ -20,7 +20,7 @@
 #include "planar/motion/operand_pair.h"
 #include "planar/position/exact_source.h"
 #include "planar/region/region.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 #include "planar/sum/minkowski_sum.h"
 
 namespace dymsum::planar {

@@ -12,7 +12,7 @@
 #include "io/read_file.h"
 #include "io/region/json_shapes.h"
 #include "spatial/boolean/solid_union.h"
-#include "spatial/sum/sum_edges.h"
+#include "spatial/sum/feature_pairs.h"
 #include "spatial/sum/sum_source.h"
 #include "spatial/sum/vertex_signs.h"
 

@@ -13,7 +13,7 @@
 #include "io/mesh/mesh_files.h"
 #include "io/read_file.h"
 #include "io/source.h"
-#include "spatial/mesh/grid_points.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::io {
 

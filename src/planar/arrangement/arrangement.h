@@ -12,7 +12,6 @@
 #include "base/poll.h"
 #include "base/scratch.h"
 #include "planar/arrangement/crossings.h"
-#include "planar/arrangement/soup.h"
 
 namespace dymsum::planar {
 

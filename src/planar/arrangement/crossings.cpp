@@ -14,7 +14,6 @@
 #include "planar/mask/interior_mask.h"
 
 namespace dymsum::planar {
-
 namespace {
 
 // The top bit of each 16-bit field; bounds stay below it.

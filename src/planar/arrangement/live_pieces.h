@@ -7,7 +7,6 @@
 #include "base/poll.h"
 #include "planar/arrangement/covered_translates.h"
 #include "planar/arrangement/crossings.h"
-#include "planar/arrangement/soup.h"
 #include "planar/mask/fine_cells.h"
 
 namespace dymsum::planar {

@@ -11,7 +11,6 @@
 #include "base/memory_budget.h"
 #include "planar/arrangement/arrangement.h"
 #include "planar/arrangement/crossings.h"
-#include "planar/arrangement/soup.h"
 
 namespace dymsum::planar {
 

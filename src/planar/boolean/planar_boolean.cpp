@@ -11,7 +11,7 @@
 #include "dymsum/planar_boolean.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/boolean/boolean_boundary.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 #include "planar/result/result_region.h"
 #include "planar/sum/minkowski_sum.h"
 

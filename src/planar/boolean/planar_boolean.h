@@ -11,7 +11,7 @@
 #include "dymsum/planar_boolean.h"
 #include "planar/operand/operand.h"
 #include "planar/position/exact_source.h"
-#include "planar/region/engine_region.h"
+#include "planar/region/region.h"
 
 namespace dymsum::planar {
 

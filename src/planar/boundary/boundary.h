@@ -10,7 +10,7 @@
 #include "base/poll.h"
 #include "dymsum/planar_sum.h"
 #include "planar/arrangement/arrangement.h"
-#include "planar/arrangement/soup.h"
+#include "planar/arrangement/crossings.h"
 #include "planar/boundary/collision.h"
 #include "planar/mask/fine_cells.h"
 #include "planar/operand/operand.h"

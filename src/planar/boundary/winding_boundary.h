@@ -6,8 +6,8 @@
 
 #include "base/memory_budget.h"
 #include "dymsum/planar_sum.h"
+#include "planar/arrangement/crossings.h"
 #include "planar/arrangement/segment_graph.h"
-#include "planar/arrangement/soup.h"
 #include "planar/boundary/boundary.h"
 #include "planar/boundary/collision.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "planar/boolean/planar_boolean.h"
-#include "planar/region/engine_region.h"
+#include "planar/region/region.h"
 #include "planar/result/result_region.h"
 #include "planar/sum/erode.h"
 #include "planar/sum/minkowski_sum.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "planar/frame/frame_rings.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 #include "planar/sum/minkowski_sum.h"
 
 namespace dymsum::planar {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/two_lanes.h"
+#include "base/doubles.h"
 #include "dymsum/frames.h"
 #include "planar/frame/piece_lists.h"
 #include "planar/window/scaling_pairs.h"

@@ -11,12 +11,11 @@
 #include "dymsum/orientation.h"
 #include "dymsum/orientation_sum.h"
 #include "exact/big.h"
-#include "exact/rational_text.h"
 #include "exact/rounding_bound.h"
 #include "planar/motion/operand_pair.h"
 #include "planar/operand/operand.h"
 #include "planar/position/exact_source.h"
-#include "planar/region/engine_region.h"
+#include "planar/region/region.h"
 #include "planar/sum/erode.h"
 #include "planar/sum/minkowski_sum.h"
 

@@ -9,7 +9,6 @@
 #include "base/scratch.h"
 #include "planar/operand/edges.h"
 #include "planar/operand/lattice.h"
-#include "planar/region/engine_region.h"
 #include "planar/region/region.h"
 #include "planar/region/region_validate.h"
 

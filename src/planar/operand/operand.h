@@ -16,7 +16,7 @@
 #include "dymsum/region.h"
 #include "planar/operand/edges.h"
 #include "planar/operand/lattice.h"
-#include "planar/region/engine_region.h"
+#include "planar/region/region.h"
 
 namespace dymsum::planar {
 

@@ -10,7 +10,7 @@
 #include "planar/operand/lattice.h"
 #include "planar/operand/operand.h"
 #include "planar/position/exact_source.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 

@@ -12,7 +12,7 @@
 
 #include "exact/grid.h"
 #include "planar/position/exact_source.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "dymsum/planar_sum.h"
 #include "planar/position/exact_source.h"
-#include "planar/region/engine_region.h"
+#include "planar/region/region.h"
 
 namespace dymsum::planar {
 

@@ -11,10 +11,9 @@
 #include "dymsum/planar_sum.h"
 #include "exact/rounding_bound.h"
 #include "planar/operand/operand.h"
-#include "planar/region/engine_region.h"
 #include "planar/region/region.h"
 #include "planar/region/region_sweep.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 #include "planar/result/result_region.h"
 #include "planar/sum/minkowski_sum.h"
 

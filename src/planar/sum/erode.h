@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 

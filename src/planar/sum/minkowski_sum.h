@@ -13,7 +13,7 @@
 #include "planar/mask/fine_cells.h"
 #include "planar/operand/lattice.h"
 #include "planar/operand/operand.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 

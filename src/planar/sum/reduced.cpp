@@ -11,12 +11,12 @@
 #include "base/memory_budget.h"
 #include "base/poll.h"
 #include "planar/arrangement/arrangement.h"
+#include "planar/arrangement/crossings.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/arrangement/live_pieces.h"
-#include "planar/arrangement/soup.h"
 #include "planar/boundary/boundary.h"
 #include "planar/convolution/convolution.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 namespace {

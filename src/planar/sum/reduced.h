@@ -2,11 +2,11 @@
 #pragma once
 
 #include "base/poll.h"
-#include "planar/arrangement/soup.h"
+#include "planar/arrangement/crossings.h"
 #include "planar/convolution/convolution.h"
 #include "planar/mask/fine_cells.h"
 #include "planar/mask/interior_mask.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 

@@ -8,7 +8,7 @@
 #include "planar/boundary/collision.h"
 #include "planar/boundary/winding_boundary.h"
 #include "planar/convolution/convolution.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 namespace {

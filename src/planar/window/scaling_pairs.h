@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/doubles.h"
 #include "base/memory_budget.h"
-#include "base/two_lanes.h"
 #include "planar/boundary/collision.h"
 #include "planar/window/scaling_window.h"
 

@@ -11,7 +11,6 @@
 
 #include "dymsum/growing_disc.h"
 #include "exact/big.h"
-#include "exact/rational_text.h"
 #include "exact/rounding_bound.h"
 
 namespace dymsum::shape {

@@ -11,7 +11,7 @@
 
 #include "dymsum/convex_sum.h"
 #include "exact/big.h"
-#include "exact/vector3.h"
+#include "exact/int.h"
 #include "spatial/gauss/signs.h"
 #include "spatial/mesh/vec3.h"
 

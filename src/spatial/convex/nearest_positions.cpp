@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "base/doubles.h"
-#include "base/two_lanes.h"
 #include "exact/rounding_bound.h"
 #include "spatial/gauss/signs.h"
 

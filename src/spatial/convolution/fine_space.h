@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "exact/int.h"
 #include "exact/interval.h"
-#include "exact/vector3.h"
 #include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {

@@ -7,7 +7,6 @@
 
 #include "base/parallel.h"
 #include "exact/big.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::exact {

@@ -7,8 +7,8 @@
 
 #include "dymsum/mesh.h"
 #include "exact/big.h"
+#include "exact/int.h"
 #include "exact/orient.h"
-#include "exact/vector3.h"
 
 namespace dymsum::spatial {
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "spatial/convolution/grid_space.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {

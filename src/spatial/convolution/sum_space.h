@@ -25,9 +25,8 @@
 
 #include "dymsum/mesh.h"
 #include "exact/algebraic_root.h"
+#include "exact/big.h"
 #include "exact/orient.h"
-#include "exact/residue.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "exact/residue.h"
+#include "exact/big.h"
 #include "spatial/moving/sum_shape.h"
 
 namespace dymsum::spatial {

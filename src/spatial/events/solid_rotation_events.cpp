@@ -12,7 +12,7 @@
 #include "spatial/events/plane_names.h"
 #include "spatial/events/root_contacts.h"
 #include "spatial/motion/beside_origin.h"
-#include "spatial/moving/posed_sum.h"
+#include "spatial/moving/moving_solid_sum.h"
 #include "spatial/moving/sum_shape.h"
 
 namespace dymsum::spatial {

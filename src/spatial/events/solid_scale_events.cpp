@@ -13,7 +13,7 @@
 #include "spatial/events/scale_judge.h"
 #include "spatial/motion/beside_origin.h"
 #include "spatial/motion/posed_pair.h"
-#include "spatial/moving/posed_sum.h"
+#include "spatial/moving/moving_solid_sum.h"
 #include "spatial/moving/sum_shape.h"
 
 namespace dymsum {

@@ -10,7 +10,6 @@
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
 #include "spatial/gauss/ring_bounds.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {

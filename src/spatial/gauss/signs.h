@@ -10,9 +10,9 @@
 
 #include "dymsum/rotation.h"
 #include "exact/big.h"
+#include "exact/int.h"
 #include "exact/orient.h"
 #include "exact/rounding_bound.h"
-#include "exact/vector3.h"
 #include "spatial/gauss/polytope.h"
 #include "spatial/mesh/vec3.h"
 

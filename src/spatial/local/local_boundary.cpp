@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "spatial/boundary/cell_links.h"
 #include "spatial/convex/exact_positions.h"
+#include "spatial/sum/solid_boundary.h"
 
 namespace dymsum::spatial {
 namespace {

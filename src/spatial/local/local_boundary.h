@@ -7,7 +7,7 @@
 #include "dymsum/local_sum.h"
 #include "spatial/arrangement/solid_arrangement.h"
 #include "spatial/motion/posed_pair.h"
-#include "spatial/moving/posed_sum.h"
+#include "spatial/moving/moving_solid_sum.h"
 
 namespace dymsum::spatial {
 

@@ -21,9 +21,8 @@
 
 #include "base/doubles.h"
 #include "dymsum/mesh.h"
+#include "exact/int.h"
 #include "exact/orient.h"
-#include "exact/vector3.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/mesh_canonical.h"
 #include "spatial/mesh/mesh_validate.h"
 #include "spatial/mesh/triangulate.h"

@@ -13,7 +13,6 @@
 #include "dymsum/volume_text.h"
 #include "exact/big.h"
 #include "exact/int.h"
-#include "exact/rational_text.h"
 #include "spatial/mesh/mesh_canonical.h"
 #include "spatial/mesh/mesh_orient.h"
 #include "spatial/mesh/mesh_validate.h"

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "exact/orient.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/surface_crossings.h"
 #include "spatial/mesh/triangulate.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
 namespace {

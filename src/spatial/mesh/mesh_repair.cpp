@@ -12,7 +12,6 @@
 #include "dymsum/mesh.h"
 #include "dymsum/named_repairs.h"
 #include "exact/orient.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/mesh_canonical.h"
 #include "spatial/mesh/mesh_orient.h"
@@ -20,6 +19,7 @@
 #include "spatial/mesh/open_edges.h"
 #include "spatial/mesh/surface_crossings.h"
 #include "spatial/mesh/triangulate.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
 namespace {

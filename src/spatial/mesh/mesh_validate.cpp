@@ -11,11 +11,11 @@
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
 #include "exact/orient.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/mesh_canonical.h"
 #include "spatial/mesh/mesh_orient.h"
 #include "spatial/mesh/surface_crossings.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
 namespace {

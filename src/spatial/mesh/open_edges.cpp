@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "base/doubles.h"
+#include "exact/int.h"
 #include "exact/orient.h"
-#include "exact/vector3.h"
 #include "spatial/mesh/box_tree.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/triangulate.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
 namespace {

@@ -5,8 +5,6 @@
 #include <optional>
 
 #include "exact/big.h"
-#include "exact/rational_text.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {

@@ -6,7 +6,6 @@
 
 #include "exact/big.h"
 #include "exact/int.h"
-#include "exact/vector3.h"
 
 namespace dymsum::spatial {
 

@@ -14,7 +14,6 @@
 #include "spatial/convex/exact_positions.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/convolution/sum_space.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {

@@ -11,7 +11,6 @@
 #include "spatial/convolution/reduced_facets.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/convolution/sum_space.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/vec3.h"
 #include "spatial/motion/posed_pair.h"
 

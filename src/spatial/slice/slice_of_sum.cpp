@@ -12,7 +12,7 @@
 #include "dymsum/solid_slice.h"
 #include "exact/big.h"
 #include "planar/position/exact_source.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 #include "spatial/convolution/stage_watch.h"
 #include "spatial/slice/slice_plane.h"
 #include "spatial/sum/feature_pairs.h"

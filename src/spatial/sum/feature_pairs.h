@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
 
+#include "dymsum/spatial_sum.h"
 #include "spatial/arrangement/plane_lines.h"
 #include "spatial/mesh/box_tree.h"
 #include "spatial/sum/solid_boundary.h"
@@ -80,5 +82,16 @@ class FeaturePairs {
   std::unordered_map<std::uint64_t, std::uint32_t> diagonal_[2];  // edges inside faces, and these faces
   BoxTree facets_;                                                // only where something is tight
 };
+
+// The edges of a sum's faces.
+
+// The vertex at which a loop of a face begins.
+
+/// Rotates the loop to its smallest rotation: it begins at its smallest vertex; where it comes by that several times,
+/// at the visit after which it goes on smallest.
+void start_at_smallest(std::vector<std::uint32_t>& loop);
+
+/// All edges with the faces that they bound, sorted; without contacts. O(n log n).
+std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces);
 
 }  // namespace dymsum::spatial

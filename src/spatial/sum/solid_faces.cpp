@@ -13,7 +13,6 @@
 #include "base/parallel.h"
 #include "spatial/arrangement/solid_arrangement.h"
 #include "spatial/sum/feature_pairs.h"
-#include "spatial/sum/sum_edges.h"
 #include "spatial/sum/sum_source.h"
 
 namespace dymsum::spatial {

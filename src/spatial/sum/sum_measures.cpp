@@ -13,7 +13,6 @@
 #include "dymsum/spatial_sum.h"
 #include "dymsum/volume_text.h"
 #include "exact/big.h"
-#include "exact/rational_text.h"
 #include "spatial/mesh/wide_sum.h"
 #include "spatial/sum/sum_source.h"
 

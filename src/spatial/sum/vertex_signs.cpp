@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "spatial/mesh/box_tree.h"
-#include "spatial/mesh/grid_points.h"
 #include "spatial/mesh/triangulate.h"
 #include "spatial/mesh/vec3.h"
 #include "spatial/sum/sum_source.h"

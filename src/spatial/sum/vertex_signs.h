@@ -10,8 +10,8 @@
 
 #include "dymsum/spatial_sum.h"
 #include "exact/big.h"
+#include "exact/int.h"
 #include "exact/interval.h"
-#include "exact/vector3.h"
 #include "spatial/mesh/triangulate.h"
 
 namespace dymsum::spatial {

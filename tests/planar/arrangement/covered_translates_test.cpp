@@ -13,7 +13,7 @@
 #include "oracles/pair_text.h"
 #include "oracles/sanitized.h"
 #include "planar/operand/operand.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 #include "planar/sum/minkowski_sum.h"
 #include "planar/sum/reduced.h"
 

@@ -11,7 +11,7 @@
 #include "dymsum/shapes.h"
 #include "oracles/sanitized.h"
 #include "planar/operand/operand.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 #include "planar/sum/minkowski_sum.h"
 
 namespace dymsum::planar {

@@ -15,7 +15,7 @@
 #include "oracles/verdict.h"
 #include "planar/arrangement/live_pieces.h"
 #include "planar/operand/operand.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 #include "planar/sum/minkowski_sum.h"
 #include "planar/sum/reduced.h"
 

@@ -13,7 +13,7 @@
 
 #include "dymsum/shapes.h"
 #include "planar/operand/operand.h"
-#include "planar/region/engine_region.h"
+#include "planar/region/region.h"
 
 namespace dymsum::planar {
 namespace {

@@ -1,4 +1,4 @@
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include "oracles/sanitized.h"
 #include "oracles/verdict.h"
 #include "planar/operand/operand.h"
-#include "planar/result/finish_sum.h"
+#include "planar/result/planar_sum.h"
 #include "planar/sum/minkowski_sum.h"
 
 namespace dymsum {

@@ -1,4 +1,4 @@
-#include "spatial/mesh/grid_points.h"
+#include "spatial/mesh/vec3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include "exact/big.h"
 #include "exact/grid.h"
-#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
 namespace {
