@@ -1,4 +1,4 @@
-// Parallel loops.
+// Parallel loops, a sort on several threads, and bytes that they share.
 #pragma once
 
 #include <algorithm>

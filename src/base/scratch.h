@@ -1,5 +1,6 @@
-// Memory for the arrays of one computation: small ones lie in a buffer on the stack, large ones in blocks that the next
-// computation of the same thread uses again. Fresh pages cost more than the arithmetic of a middling sum.
+// Memory for the arrays of one computation: small ones lie in a buffer on the stack, large ones in blocks that the
+// next computation of the same thread uses again. Fresh pages cost more than the arithmetic of a middling sum. And
+// tables in it: indices by keys, and indices that are united.
 #pragma once
 
 #include <bit>

@@ -235,9 +235,6 @@ std::vector<SurfacePoint> local_minima(const ContinuousSurface& s, Vec3 from, do
 namespace {
 
 using spatial::Box;
-using spatial::cross;
-using spatial::dot;
-using spatial::length;
 
 /// One solid as it stands: positions in the world are turned back for Q.
 class Standing {

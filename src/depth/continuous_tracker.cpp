@@ -73,7 +73,6 @@ SmoothedNormal smoothed_normal(const ContinuousSurface& s, double l, Vec3 x) {
 namespace {
 
 using spatial::cross;
-using spatial::dot;
 using spatial::length;
 
 constexpr int kMostSteps = 200;        // of one walk: across edges, and Newton's
@@ -240,10 +239,6 @@ NormalFoot shortest_foot(const ContinuousSurface& s, double l, Vec3 from, double
 }
 
 namespace {
-
-using spatial::cross;
-using spatial::dot;
-using spatial::length;
 
 double largest_coordinate(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 

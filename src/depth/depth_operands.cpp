@@ -138,7 +138,6 @@ Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const
 
 using spatial::Box;
 using spatial::Triangle;
-using spatial::Vec3;
 
 namespace {
 

@@ -287,8 +287,6 @@ std::optional<ExactPosition> FacetCandidates::exact(const FacetCandidate& c) con
                  : ExactFrame::meet(plane, a, support(lines_[static_cast<std::size_t>(c.b)]));
 }
 
-using spatial::Vec3;
-
 namespace {
 
 constexpr double kNearlyFlat = 0x1p-12;

@@ -119,8 +119,6 @@ struct NearestPositions {
 
 using spatial::length;
 
-using spatial::Vec3;
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Positions that are off by more are queried in integers only.

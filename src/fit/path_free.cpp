@@ -141,8 +141,6 @@ std::vector<ScaleContact> tight_contacts(const OperandPair& base, const PlanarSu
   return finder.finish();
 }
 
-using exact::BigRational;
-
 namespace {
 
 // The error of the side of a wall's end from a leg, times the span and |leg|_1, where the wall crosses the leg: two

@@ -1,4 +1,4 @@
-// What a CspaceObstacle holds.
+// What a CspaceObstacle holds, and what every one begins with.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// Lines that cross a segment at nearly the same places all through a window, as beside a crowded quarter turn: most
-// pairs of them keep their order, and make no event.
+// Events that are not made: those of quarter turns at which more edges are aligned than there are, and those of
+// lines that cross a segment at nearly the same places all through a window: most pairs of them keep their order.
 #pragma once
 
 #include <algorithm>

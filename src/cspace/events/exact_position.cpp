@@ -194,8 +194,6 @@ int SignsAt::dot(const WalkSegment& d, const WalkSegment& e) const {
   return sign(forms_.exact_along(d, TurningForms::start(e), forms_.end(e), angle_.chart));
 }
 
-using exact::Polynomial;
-
 Located position_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h,
                     double turn) {
   if (at_start ? meet_at_ends(forms, other, s) : meet_at_ends(forms, s, other)) return {at_start ? 0.0 : 1.0, 0};

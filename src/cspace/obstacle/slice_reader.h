@@ -1,4 +1,5 @@
-// Static slices in the sweep's terms: contacts as segments, loops, and which loops of free space belong together.
+// Static slices in the sweep's terms: contacts as segments, loops, which loops of free space belong together, and
+// what lies on one line before and after.
 #pragma once
 
 #include <memory>

@@ -236,8 +236,6 @@ class EndCurve {
 // determined exactly, anything else keeps its relative accuracy. Near such an angle their crossing runs along the lines
 // as the quotient of this distance and the angle.
 
-using base::DoublePair;
-
 /// The gaps, for unit vectors u along the fixed edge and m along the rotating one and any corner of theirs that moves
 /// along: cross(corner_of_fixed - fixed start, u) +- cross(turning start - corner_of_turning, m); the plus sign first,
 /// which stands for equal directions. `corner` is the obstacle's vertex on the turning line, `hand` the robot's on the

@@ -188,7 +188,6 @@ Result<CspaceObstacle> read_obstacle(const std::string& path) {
 namespace {
 
 using Json = nlohmann::json;
-using exact::AlgebraicRoot;
 
 // The polynomial, an interval, and which of its roots there; a double is its own interval.
 Json angle_json(const planar::ExactAngle& angle, const EventAngle& known) {

@@ -237,9 +237,6 @@ namespace dymsum {
 
 namespace {
 
-using io::JsonKind;
-using io::JsonValue;
-
 class LayoutReader {
  public:
   explicit LayoutReader(const io::Source& source) : source_(source) {}

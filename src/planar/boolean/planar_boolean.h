@@ -1,4 +1,5 @@
-// What a result of Boolean operations stands for: rings as they were given, and the operations on them.
+// What a result of Boolean operations stands for: rings as they were given, and the operations on them; inputs made
+// one operand.
 #pragma once
 
 #include <cstdint>

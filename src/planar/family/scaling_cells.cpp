@@ -188,8 +188,6 @@ ScaledPositions::Path ScaledPositions::crossing(const SumVertex& v, double at) c
   return path;
 }
 
-using exact::BigRational;
-
 namespace {
 
 MovingOptions moving_options(const FamilyOptions& options) {

@@ -79,8 +79,6 @@ namespace {
 
 // What lies in a family's sum at some scale of an interval, and what lies in it at every scale.
 
-using exact::BigRational;
-
 using exact::HomogeneousPoint;
 
 /// Rings at exact positions for a Boolean operation.
@@ -251,7 +249,6 @@ Result<PlanarSum> common_set(const ScalingCells& cells, const PlanarSum& first, 
 namespace dymsum {
 
 using namespace planar;
-using exact::BigRational;
 
 ScalingFamily::ScalingFamily(std::unique_ptr<const State> state) : state_(std::move(state)) {}
 ScalingFamily::ScalingFamily(ScalingFamily&&) noexcept = default;

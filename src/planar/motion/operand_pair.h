@@ -1,5 +1,5 @@
-// What never changes while an operand moves: the operands, their lattice and walks as they were given; and where
-// everything stands when it is scaled or turned.
+// What never changes while an operand moves: the operands, their lattice and walks as they were given; where
+// everything stands when it is scaled or turned; and the signs as polynomials of a scale.
 #pragma once
 
 #include <array>

@@ -182,9 +182,6 @@ LatticeScale turn_of(const Orientation& o, std::uint32_t op) {
 namespace dymsum::planar {
 namespace {
 
-using exact::BigInteger;
-using exact::BigRational;
-
 // Angles are integers of steps of 2^-kBits. The largest double is less than 2^1024 quarter turns, and a quarter turn is
 // known to one step: a reduced angle is known to 2^-128.
 constexpr unsigned kBits = 1152, kGuard = 16;
@@ -250,7 +247,6 @@ double reduced_degrees(const BigRational& degrees) {
 }
 
 using exact::AlgebraicRoot;
-using exact::BigRational;
 
 namespace {
 

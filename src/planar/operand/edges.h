@@ -178,7 +178,6 @@ inline int compare_directions(const Lattice& lattice, double key_d, const Edge& 
   return compare_directions(lattice, d, e);
 }
 
-class OwnEdges;
 struct Operand;
 struct Component;
 

@@ -148,7 +148,6 @@ Point LatticeDoubles::fraction_direction(const PlacedPoints& points, const Edge&
 namespace {
 
 using exact::Big;
-using exact::BigInteger;
 using Vec = exact::HomogeneousPoint;
 
 Vec sum_of(const Vec& a, const Vec& b) {

@@ -212,8 +212,6 @@ std::shared_ptr<const Lattice> make_turned_lattice(const Lattice& unscaled, cons
 
 // The lattice that operands get: the grid that holds both, the unit of the doubles, and what is determined in doubles.
 
-using exact::BigRational;
-
 namespace {
 
 // The error of a scaled offset.

@@ -118,7 +118,6 @@ ExactArea exact_area(std::vector<std::vector<Homogeneous>> rings) {
 namespace {
 
 using base::DoublePair;
-using exact::BigInteger;
 using exact::BigRational;
 
 template <class Visit>

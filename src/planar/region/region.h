@@ -1,4 +1,5 @@
-// The vertices of a region, list by list.
+// Regions: their vertices, list by list, and what the engine takes of them: rings that touch cut apart, the
+// complement of one in a frame.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// A source of exact positions that are known as such: the vertices of a set that was read.
+// The last step of every planar sum: from what an engine found to the canonical result, and the exact positions
+// behind it.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Coordinates of generated shapes and solids, rounded on request.
+// What the generators of shapes and solids are made of.
 #pragma once
 
 #include <cmath>

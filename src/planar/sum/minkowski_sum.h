@@ -1,4 +1,5 @@
-// The engine that makes the boundary of a planar sum, and what becomes of its failures.
+// Planar sums: the engine that makes the boundary, and what becomes of its failures; sums from scratch of operands
+// that are placed, and of candidates that are known.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Makes windows of scales: the convolution of a range of scales, the grid, and which operand moves in the window;
-// for scales of one ratio too.
+// Makes windows of scales, stage by stage: the convolution of a range of scales, the grid, and which operand moves
+// in the window; for scales of one ratio too.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// What a disc that touches a site at a given position touches first.
+// Cells: what discs that touch a site touch first, at one position and at all of them, and whether the cells of all
+// sites match.
 #pragma once
 
 #include <array>

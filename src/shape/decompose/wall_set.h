@@ -1,4 +1,4 @@
-// Walls to search: the nearest to a notch, those near a segment.
+// Walls to search: the nearest to a notch, those near a segment; and the rings that they are edges of.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Doubles near the corners of a level.
+// A level and the positions at it: doubles near its corners, and exact ones.
 #pragma once
 
 #include <functional>

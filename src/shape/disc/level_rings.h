@@ -1,4 +1,5 @@
-// What lies beyond a level: runs of boundary positions whose rays go on, and how they follow each other.
+// What lies beyond a level: runs of boundary positions whose rays go on, how they follow each other, and arcs at
+// their ends.
 #pragma once
 
 #include <array>

@@ -155,9 +155,6 @@ bool runs_counter_clockwise(const DiscPositions& positions, const Headings& head
 
 namespace {
 
-using exact::Interval;
-using exact::RootExpression;
-
 /// The site on the other side of every edge of a polyline; kNoIndex for what has area beside it.
 std::vector<std::uint32_t> other_sides(const Complex& complex) {
   using Ends = std::tuple<double, double, double, double>;

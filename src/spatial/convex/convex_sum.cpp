@@ -331,7 +331,6 @@ using exact::Big;
 using exact::BigInteger;
 using exact::BigRational;
 using spatial::HalfEdge;
-using spatial::Polytope;
 using spatial::Vec3;
 
 /// A direction, then those that decide ties.

@@ -1,4 +1,4 @@
-// The facets of a sum of convex solids from the overlay of their Gauss maps.
+// What a sum of convex solids holds, and its facets from the overlay of their Gauss maps.
 #pragma once
 
 #include <cstdint>

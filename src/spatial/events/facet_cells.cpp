@@ -211,8 +211,6 @@ std::uint32_t RootOrder::add(const AlgebraicRoot& root) {
   return index;
 }
 
-using exact::AlgebraicRoot;
-
 namespace {
 
 /// Fewer slants at one angle are not worth a search of its own.

@@ -292,8 +292,6 @@ LastingCrossing lasting_crossing_of(const MovingFacets& all, const SumEdge& one,
   return result;
 }
 
-using exact::BigInteger;
-
 namespace {
 
 bool is_same(const ExactMeeting& a, const ExactMeeting& b) {

@@ -233,7 +233,6 @@ double RelativeMap::angle_from(const RelativeMap& before) const {
 
 namespace {
 
-using exact::Big;
 using exact::Int;
 
 // Coordinates |X| <= 2^B and maps of W bits: normals 2B + 3, mapped edges B + W + 3, their product and the components

@@ -1,4 +1,5 @@
-// Vectors of doubles for filters, pictures and reports; no decision rests on them alone.
+// Vectors and points in space: of doubles for filters, pictures and reports, on which no decision rests alone; exact
+// ones, rounded; points of meshes on their grid.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Sums of fewer than 2^32 exact terms, in integers that are wide enough.
+// Sums of many terms: of exact ones in integers that are wide enough, of doubles with what each step lost, of
+// lengths.
 #pragma once
 
 #include <string>

@@ -83,8 +83,6 @@ PosedSpace posed_space(const SolidPair& pair, ExactPose p, ExactPose q, std::spa
   return {make_sum_space(of_first, {pair.q_positions, q.matrix}, unit), scale};
 }
 
-using exact::BigInteger;
-
 namespace {
 
 double nearest(const BigInteger& v) { return exact::to_double(exact::Big(v)); }

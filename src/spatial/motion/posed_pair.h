@@ -1,4 +1,5 @@
-// Two solids at exact poses: what they are made of once and for all, and the space of their sum at a pair of poses.
+// Two solids at exact poses, or one of which scales: what they are made of once and for all, and the space of their
+// sum.
 #pragma once
 
 #include <array>

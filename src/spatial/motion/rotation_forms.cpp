@@ -129,10 +129,6 @@ double AxisTurn::radians(const TurnAxis& axis) const {
 
 namespace dymsum::spatial {
 
-using exact::Big;
-using exact::RootValue;
-using exact::Vector3;
-
 RotatingPair::RotatingPair(const Mesh& p, const Mesh& q, const TurnAxis& axis, int which)
     : pair(solid_pair(p, q)), circle(axis), turning(which) {
   double most = 0;

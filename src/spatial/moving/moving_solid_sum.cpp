@@ -333,8 +333,6 @@ Result<std::vector<SolidFrameWork>> posed_sums(const Mesh& p, const Mesh& q, std
   });
 }
 
-using spatial::PosePair;
-
 namespace {
 
 /// A face seen from one of its edges: what makes it, and what makes the face beyond.

@@ -1,4 +1,4 @@
-// The sum of solids given by plain lists.
+// Sums of solids, convex or not, given by plain lists.
 #pragma once
 
 #include <memory>
