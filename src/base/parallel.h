@@ -1,4 +1,4 @@
-// Parallel loops, a sort on several threads, and bytes that they share.
+// Parallel loops, a sort on several threads, and bytes that several threads write.
 #pragma once
 
 #include <algorithm>
