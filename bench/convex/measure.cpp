@@ -9,9 +9,9 @@
 
 #include "convex/expert.h"
 #include "dymsum/dymsum.h"  // ConvexSolid, where there is one
-#include "spatial/convex/assemble.h"
+#include "spatial/convex/convex_sum.h"
 #include "spatial/convex/mixed_volume.h"
-#include "spatial/convex/position_order.h"
+#include "spatial/convex/nearest_positions.h"
 #include "spatial/gauss/overlay.h"
 #include "versus/rival.h"
 #include "versus/solid_rivals.h"

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "spatial/boundary/collision.h"
-#include "spatial/convolution/facet_rule.h"
+#include "spatial/convolution/reduced_facets.h"
 #include "spatial/local/local_boundary.h"
 #include "spatial/local/near_facets.h"
 #include "spatial/sum/solid_faces.h"

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "coordinate_kinds.h"
 #include "dymsum/moving_solid_sum.h"
 #include "dymsum/solid_scale_events.h"

@@ -47,8 +47,7 @@ void bind_sums_of_solids(nb::module_& m) {
         SpatialSum sum = run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(first, *q, own); });
         return remembered(std::move(sum), "solid_sum", p, q.object, options);
       },
-      "p"_a, "q"_a, "options"_a = SpatialOptions(),
-      "The sum of a sum's regular part and a solid, unrounded.");
+      "p"_a, "q"_a, "options"_a = SpatialOptions(), "The sum of a sum's regular part and a solid, unrounded.");
   m.def(
       "minkowski_sum",
       [](nb::handle_t<SpatialSum> p, nb::handle_t<SpatialSum> q, const SpatialOptions& options) {
@@ -76,8 +75,7 @@ void bind_sums_of_solids(nb::module_& m) {
         SpatialSum fit = run_with(options, [&](const SpatialOptions& own) { return erode(outer, *b, own); });
         return remembered(std::move(fit), "solid_erode", a, b.object, options);
       },
-      "a"_a, "b"_a, "options"_a = SpatialOptions(),
-      "The same of a sum's regular part, unrounded.");
+      "a"_a, "b"_a, "options"_a = SpatialOptions(), "The same of a sum's regular part, unrounded.");
   m.def(
       "erode",
       [](nb::handle_t<SpatialSum> a, nb::handle_t<SpatialSum> b, const SpatialOptions& options) {

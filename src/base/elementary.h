@@ -4,7 +4,7 @@
 // each.
 #pragma once
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 
 namespace dymsum::base::elementary {
 

@@ -1,4 +1,4 @@
-// What a computation may hold in memory: arrays that grow faster than its operands count here before they are made.
+// Memory that a computation may take: budgets, what happens past them, arrays that own theirs and give it back.
 #pragma once
 
 #include <atomic>
@@ -6,10 +6,120 @@
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "dymsum/result.h"
+
 namespace dymsum::base {
+
+// Giving back memory before an array dies.
+
+/// Empties arrays and gives their memory back, which `array = {}` does not.
+template <class... Arrays>
+void free_memory(Arrays&... arrays) {
+  (Arrays().swap(arrays), ...);
+}
+
+}  // namespace dymsum::base
+
+namespace dymsum {
+
+// Memory of a value with many arrays that are made together and die together: one block instead of an allocation for
+// each.
+
+/// Memory that has to be the first member, so that the arrays after it die before their memory does. A copy has arrays
+/// of its own on the heap, and what is assigned is copied into the arrays that are there: so neither changes whose
+/// memory it is. Arrays are made by one thread at a time.
+class OwnMemory {
+ public:
+  OwnMemory() = default;
+  explicit OwnMemory(std::size_t bytes) : block_(static_cast<Block*>(::operator new(sizeof(Block) + bytes))) {
+    *block_ = {0, bytes};
+  }
+  OwnMemory(const OwnMemory&) noexcept {}
+  OwnMemory(OwnMemory&& other) noexcept = default;
+  OwnMemory& operator=(const OwnMemory&) noexcept { return *this; }
+  OwnMemory& operator=(OwnMemory&&) noexcept { return *this; }
+
+ private:
+  template <class T>
+  friend class OwnAllocator;
+  static constexpr std::size_t kAlign = alignof(std::max_align_t);
+
+  // The bytes to be handed out follow.
+  struct alignas(kAlign) Block {
+    std::size_t used, size;
+
+    std::byte* bytes() { return reinterpret_cast<std::byte*>(this + 1); }
+    // Takes from the heap what the block does not hold.
+    void* take(std::size_t n) {
+      const std::size_t room = (n + kAlign - 1) & ~(kAlign - 1);
+      if (room > size - used) [[unlikely]]
+        return ::operator new(n);
+      void* const at = bytes() + used;
+      used += room;
+      return at;
+    }
+    bool holds(const void* at) {
+      return reinterpret_cast<std::uintptr_t>(at) - reinterpret_cast<std::uintptr_t>(bytes()) < size;
+    }
+  };
+  struct Free {
+    void operator()(Block* block) const { ::operator delete(block); }
+  };
+
+  std::unique_ptr<Block, Free> block_;
+};
+
+/// Arrays in an OwnMemory, or without one on the heap. What is not given a value has none: resize() does not clear
+/// numbers. What an array in the block gives back is not handed out again.
+template <class T>
+class OwnAllocator {
+ public:
+  using value_type = T;
+
+  OwnAllocator() noexcept = default;
+  OwnAllocator(const OwnMemory& memory) noexcept : block_(memory.block_.get()) {}
+  template <class U>
+  OwnAllocator(const OwnAllocator<U>& other) noexcept : block_(other.block_) {}
+  OwnAllocator select_on_container_copy_construction() const { return {}; }
+
+  T* allocate(std::size_t n) {
+    return static_cast<T*>(block_ != nullptr ? block_->take(n * sizeof(T)) : ::operator new(n * sizeof(T)));
+  }
+  void deallocate(T* pointer, std::size_t) {
+    if (block_ == nullptr || !block_->holds(pointer)) ::operator delete(pointer);
+  }
+  template <class U>
+  void construct(U* at) {
+    ::new (static_cast<void*>(at)) U;
+  }
+  friend bool operator==(const OwnAllocator& a, const OwnAllocator& b) { return a.block_ == b.block_; }
+
+ private:
+  template <class U>
+  friend class OwnAllocator;
+  OwnMemory::Block* block_ = nullptr;
+};
+
+template <class T>
+using OwnArray = std::vector<T, OwnAllocator<T>>;
+
+}  // namespace dymsum
+
+namespace dymsum::base {
+
+// What takes more memory than a caller allows.
+
+/// 1000000 bytes are "1 MB", fewer so many bytes.
+std::string memory_text(std::uint64_t bytes);
+
+/// out_of_memory, as in "the sum takes at least 12 MB of memory, the limit is 5 MB".
+Error budget_error(const std::string& what, std::uint64_t bytes, std::uint64_t limit);
+
+// What a computation may hold in memory: arrays that grow faster than its operands count here before they are made.
 
 /// Thrown where more is about to be held than the limit. What handles memory that has run out handles this too.
 class OverMemory : public std::bad_alloc {
@@ -121,5 +231,35 @@ class CountedAllocator {
 
 template <class T>
 using CountedArray = std::vector<T, CountedAllocator<T>>;
+
+// Computations with a limit of memory: past it they end with an error.
+
+/// A budget of so many bytes within the current one; 0: the current one, or none.
+inline std::shared_ptr<MemoryBudget> budget_of(std::uint64_t limit) {
+  return limit == 0 ? current_budget() : std::make_shared<MemoryBudget>(limit, current_budget());
+}
+
+/// "the sum takes at least 12 MB of memory, the limit is 5 MB".
+inline Error over_memory(const std::string& what, const OverMemory& over) {
+  return budget_error(what + " takes at least", over.bytes(), over.limit());
+}
+
+/// f(), which returns a Result, within a budget; out_of_memory where that does not suffice.
+template <class F>
+auto within_memory(std::shared_ptr<MemoryBudget> budget, const char* what, F f) -> decltype(f()) {
+  if (budget == nullptr) return f();
+  const UseBudget use(std::move(budget));
+  try {
+    return f();
+  } catch (const OverMemory& over) {
+    return over_memory(what, over);
+  }
+}
+
+/// The same within so many bytes; 0: no limit of its own.
+template <class F>
+auto within_memory(std::uint64_t limit, const char* what, F f) -> decltype(f()) {
+  return limit == 0 ? f() : within_memory(budget_of(limit), what, std::move(f));
+}
 
 }  // namespace dymsum::base

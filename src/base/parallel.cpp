@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-
 #include <algorithm>
 
 #include "base/memory_budget.h"

@@ -9,12 +9,12 @@
 
 #include "base/double_text.h"
 #include "base/poll.h"
-#include "depth/planar_nearest.h"
+#include "depth/planar_depth.h"
 #include "dymsum/orientation_sum.h"
 #include "dymsum/planar_operand.h"
-#include "exact/square_root.h"
+#include "exact/big.h"
 #include "placement/boundary_meetings.h"
-#include "planar/position/position_signs.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum {
 namespace {

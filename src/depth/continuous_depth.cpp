@@ -2,22 +2,66 @@
 #include "dymsum/continuous_depth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "base/double_text.h"
-#include "base/hypot3.h"
+#include "base/doubles.h"
 #include "depth/boundary_distance.h"
 #include "depth/continuous_tracker.h"
-#include "depth/posed_overlap.h"
 #include "depth/touching_pairs.h"
 #include "dymsum/moving_solid_sum.h"
+#include "dymsum/rotation.h"
 #include "exact/big.h"
+#include "spatial/boundary/collision.h"
+#include "spatial/motion/posed_pair.h"
+
+namespace dymsum::depth {
+namespace {
+
+// Whether solids, of which Q is turned, overlap at exact positions.
+
+/// P and Q reflected, at one orientation of Q.
+class PosedOverlap {
+ public:
+  /// The pair has to live as long. Throws std::invalid_argument where coordinates need more than 8,192 bits.
+  PosedOverlap(const spatial::SolidPair& pair, const Rotation& q_turned);
+
+  /// Whether the definition holds: the interiors of P and of Q moved to `at` meet. Exact.
+  bool holds(const std::array<exact::BigRational, 3>& at);
+
+ private:
+  spatial::PosedSpace posed_;
+  spatial::Collision collision_;
+};
+
+spatial::PosePair with_q_turned(const Rotation& q_turned) {
+  spatial::PosePair poses;
+  poses.q.rotation = q_turned;
+  return poses;
+}
+
+PosedOverlap::PosedOverlap(const spatial::SolidPair& pair, const Rotation& q_turned)
+    : posed_(spatial::posed_space(pair, with_q_turned(q_turned))), collision_(*posed_.space, pair.p, pair.q) {}
+
+bool PosedOverlap::holds(const std::array<exact::BigRational, 3>& at) {
+  const exact::BigInteger& scale = posed_.scale;
+  const std::optional<spatial::PointSource> position =
+      posed_.space->add_position({at[0] * scale, at[1] * scale, at[2] * scale});
+  return position && collision_.overlaps({*position, 0, 0, 0, 0, 0});
+}
+
+}  // namespace
+}  // namespace dymsum::depth
 
 namespace dymsum {
+
+// The public classes: one pose after the other.
 
 using depth::ContinuousPosition;
 using depth::ContinuousSurface;

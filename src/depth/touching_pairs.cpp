@@ -12,10 +12,10 @@
 #include <tuple>
 #include <utility>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
+#include "depth/depth_operands.h"
 #include "depth/exact_frame.h"
-#include "depth/proved_sign.h"
-#include "spatial/mesh/rounded_vector.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::depth {
 

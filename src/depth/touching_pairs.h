@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "depth/boundary_distance.h"
-#include "depth/touch_side.h"
+#include "depth/exact_frame.h"
 
 namespace dymsum::depth {
 

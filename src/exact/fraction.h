@@ -8,9 +8,7 @@
 #include <utility>
 
 #include "exact/big.h"
-#include "exact/binary_parts.h"
-#include "exact/residue.h"
-#include "exact/vector3.h"
+#include "exact/int.h"
 
 namespace dymsum::exact {
 
@@ -88,8 +86,6 @@ inline BinaryParts binary_parts(const Fraction& v) {
 }
 
 /// The same for all fractions that are equal. Requires a denominator that is no multiple of the prime.
-inline Residue residue(const Fraction& v) {
-  return times(residue(Big(v.above())), inverse(residue(Big(v.below()))));
-}
+inline Residue residue(const Fraction& v) { return times(residue(Big(v.above())), inverse(residue(Big(v.below())))); }
 
 }  // namespace dymsum::exact

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/bit_cast.h"
+#include "base/doubles.h"
 
 namespace dymsum::exact {
 

@@ -1,13 +1,226 @@
 #include "exact/root_expression.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
-#include "exact/root_node.h"
-#include "exact/square_class.h"
+#include "exact/big.h"
+#include "exact/root_field.h"
 
 namespace dymsum::exact {
+namespace {
+
+/// Odd primes below 2^8, eight to a product below 2^64.
+constexpr std::array<std::array<std::uint64_t, 8>, 4> kPrimes{{{67, 71, 73, 79, 83, 89, 97, 101},
+                                                               {103, 107, 109, 113, 127, 131, 137, 139},
+                                                               {149, 151, 157, 163, 167, 173, 179, 181},
+                                                               {191, 193, 197, 199, 211, 223, 227, 229}}};
+
+/// Bit k of the set tells that k is a square modulo the number.
+struct Squares {
+  std::array<std::uint64_t, 4> bits{};
+  constexpr explicit Squares(std::uint64_t number) {
+    for (std::uint64_t k = 0; k < number; ++k) bits[k * k % number / 64] |= std::uint64_t{1} << (k * k % number % 64);
+  }
+  constexpr bool has(std::uint64_t k) const { return (bits[k / 64] >> (k % 64) & 1) != 0; }
+};
+
+constexpr std::array<std::uint64_t, 8> kSieve{63, 11, 13, 17, 19, 23, 29, 31};
+constexpr std::uint64_t product_of(const std::array<std::uint64_t, 8>& numbers) {
+  std::uint64_t product = 1;
+  for (const std::uint64_t n : numbers) product *= n;
+  return product;
+}
+
+template <std::size_t... I>
+constexpr std::array<Squares, 8> squares_of(const std::array<std::uint64_t, 8>& numbers, std::index_sequence<I...>) {
+  return {Squares(numbers[I])...};
+}
+constexpr std::array<Squares, 8> squares_of(const std::array<std::uint64_t, 8>& numbers) {
+  return squares_of(numbers, std::make_index_sequence<8>{});
+}
+
+std::uint64_t remainder(const BigInteger& n, std::uint64_t m) { return static_cast<std::uint64_t>(BigInteger(n % m)); }
+
+/// n without its divisors p, modulo p.
+std::uint64_t unit_part(BigInteger n, std::uint64_t p) {
+  while (remainder(n, p) == 0) n /= p;
+  return remainder(n, p);
+}
+
+}  // namespace
+
+std::optional<BigInteger> root_of_square(const BigInteger& n) {
+  if (n.is_zero()) return n;
+  const auto twos = static_cast<unsigned>(lsb(n));
+  if (twos % 2 != 0 || static_cast<std::uint64_t>(BigInteger((n >> twos) & 7)) != 1) return std::nullopt;
+  static constexpr std::array<Squares, 8> kSquares = squares_of(kSieve);
+  const std::uint64_t rest = remainder(n, product_of(kSieve));
+  for (std::size_t i = 0; i < 8; ++i)
+    if (!kSquares[i].has(rest % kSieve[i])) return std::nullopt;
+  BigInteger left;
+  BigInteger root = floor_root(n, left);
+  if (!left.is_zero()) return std::nullopt;
+  return root;
+}
+
+std::uint32_t square_characters(const BigInteger& n) {
+  static constexpr std::array<std::array<Squares, 8>, 4> kSquares{squares_of(kPrimes[0]), squares_of(kPrimes[1]),
+                                                                  squares_of(kPrimes[2]), squares_of(kPrimes[3])};
+  std::uint32_t result = 0;
+  for (std::size_t g = 0; g < 4; ++g) {
+    const std::uint64_t rest = remainder(n, product_of(kPrimes[g]));
+    for (std::size_t i = 0; i < 8; ++i) {
+      const std::uint64_t p = kPrimes[g][i], k = rest % p;
+      if (!kSquares[g][i].has(k != 0 ? k : unit_part(n, p))) result |= std::uint32_t{1} << (8 * g + i);
+    }
+  }
+  return result;
+}
+
+// Each row is the word of the product of some members, and no two rows have the same lowest bit.
+std::optional<SquareClasses::Relation> SquareClasses::add(const BigInteger& n) {
+  for (std::size_t k = 0; k < members_.size(); ++k)
+    if (members_[k] == n) return Relation{std::uint32_t{1} << k, n};
+  Row row{square_characters(n), 0};
+  for (const Row& known : rows_) {
+    if ((row.characters & (known.characters & -known.characters)) == 0) continue;
+    row.characters ^= known.characters;
+    row.members ^= known.members;
+  }
+  if (row.characters == 0) {
+    BigInteger product = n;
+    for (std::size_t k = 0; k < members_.size(); ++k)
+      if (row.members >> k & 1) product *= members_[k];
+    std::optional<BigInteger> root = root_of_square(product);
+    if (!root) return std::nullopt;
+    return Relation{row.members, std::move(*root)};
+  }
+  const auto own = std::uint32_t{1} << members_.size();
+  row.members ^= own;
+  rows_.push_back(row);
+  members_.push_back(n);
+  return Relation{own, n};
+}
+
+namespace {
+
+/// The largest precision that a sign may request.
+constexpr unsigned kLastPrecision = 1U << 28;
+
+}  // namespace
+
+bool has_same_value(const RootNode& a, const RootNode& b) {
+  return &a == &b || (a.is_rational() && b.is_rational() && a.num == b.num && a.den == b.den);
+}
+
+RootParts::RootParts(const RootNode& node) {
+  std::unordered_map<const RootNode*, std::uint32_t> positions;
+  add(node, positions);
+}
+
+std::uint32_t RootParts::add(const RootNode& node, std::unordered_map<const RootNode*, std::uint32_t>& positions) {
+  if (const auto known = positions.find(&node); known != positions.end()) return known->second;
+  const std::uint32_t a = node.a ? add(*node.a, positions) : 0, b = node.b ? add(*node.b, positions) : 0;
+  const auto own = static_cast<std::uint32_t>(parts_.size());
+  parts_.push_back({&node, a, b});
+  positions.emplace(&node, own);
+  return own;
+}
+
+std::uint64_t RootParts::separation_bits() const {
+  std::vector<const RootNode*> radicands;
+  for (const Part& part : parts_) {
+    if (part.node->kind != RootNode::Kind::root) continue;
+    const RootNode& radicand = *part.node->a;
+    if (std::none_of(radicands.begin(), radicands.end(),
+                     [&](const RootNode* r) { return has_same_value(*r, radicand); }))
+      radicands.push_back(&radicand);
+  }
+  const RootNode& e = *parts_.back().node;
+  constexpr std::uint64_t kFar = std::numeric_limits<std::uint64_t>::max() / 4;
+  if (radicands.size() > 40 || e.log_u >= (kFar >> radicands.size()) || e.log_l >= kFar) return kFar;
+  return ((std::uint64_t{1} << radicands.size()) - 1) * e.log_u + e.log_l;
+}
+
+std::optional<Ball> RootParts::value(unsigned precision) const {
+  using Kind = RootNode::Kind;
+  std::vector<Ball> values;
+  values.reserve(parts_.size());
+  for (const Part& part : parts_) {
+    const RootNode& node = *part.node;
+    if (node.kind == Kind::rational) {
+      Ball num(node.num, 0, 0, precision);
+      values.push_back(node.den == 1 ? std::move(num)
+                                     : *Ball::quotient(num, Ball(node.den, 0, 0, precision), precision));
+      continue;
+    }
+    const Ball &a = values[part.a], &b = values[part.b];
+    switch (node.kind) {
+      case Kind::sum:
+        values.push_back(Ball::sum(a, b, 1, precision));
+        break;
+      case Kind::difference:
+        values.push_back(Ball::sum(a, b, -1, precision));
+        break;
+      case Kind::product:
+        values.push_back(Ball::product(a, b, precision));
+        break;
+      case Kind::quotient: {
+        std::optional<Ball> q = Ball::quotient(a, b, precision);
+        if (!q) return std::nullopt;
+        values.push_back(std::move(*q));
+        break;
+      }
+      default:
+        values.push_back(Ball::root(a, precision));
+        break;
+    }
+  }
+  return values.back();
+}
+
+namespace {
+
+std::optional<int> sign_at(const RootParts& parts, unsigned precision) {
+  const std::optional<Ball> value = parts.value(precision);
+  return value ? value->sign() : std::nullopt;
+}
+
+NodeAnswer beyond_doubles(const RootNode& node) {
+  using By = NodeAnswer::By;
+  const RootParts parts(node);
+  unsigned precision = kFirstPrecision;
+  for (; precision <= kLastBeforeAlgebra; precision *= 2)
+    if (const std::optional<int> sign = sign_at(parts, precision)) return {*sign, By::precision};
+  const std::optional<bool> zero = is_zero_by_algebra(parts);
+  if (zero && *zero) return {0, By::algebra};
+  const std::int64_t least =
+      zero ? std::numeric_limits<std::int64_t>::min() : -static_cast<std::int64_t>(parts.separation_bits());
+  for (; precision <= kLastPrecision; precision *= 2) {
+    const std::optional<Ball> value = parts.value(precision);
+    if (const std::optional<int> sign = value ? value->sign() : std::nullopt) return {*sign, By::precision_at_last};
+    if (value && value->top() <= least) return {0, By::bound};
+  }
+  throw std::length_error("RootExpression: a sign needs too many bits");
+}
+
+}  // namespace
+
+NodeAnswer answer_of_node(const RootNode& node) {
+  if (node.is_rational()) return {node.num.sign(), NodeAnswer::By::doubles};
+  if (const std::optional<int> sign = sign_of(node.interval)) return {*sign, NodeAnswer::By::doubles};
+  return beyond_doubles(node);
+}
+
+SignAnswer sign_of_node(const RootNode& node) {
+  const NodeAnswer answer = answer_of_node(node);
+  return {answer.sign, answer.by == NodeAnswer::By::doubles ? Rung::doubles : Rung::big};
+}
 
 namespace {
 
@@ -203,5 +416,43 @@ double nearest_double(const RootExpression& a) {
   const int side = compare(a, RootExpression(midpoint));
   return side == 0 ? round_to_double(midpoint) : (side > 0 ? near.high() : near.low()) + 0.0;
 }
+
+namespace {
+
+/// How tightly a formula holds together: sums 0, products 1, what never needs brackets 2.
+struct Formula {
+  std::string text;
+  int strength = 2;
+};
+
+std::string at_least(const Formula& f, int strength) { return f.strength < strength ? "(" + f.text + ")" : f.text; }
+
+Formula formula_of(const RootNode& node) {
+  using Kind = RootNode::Kind;
+  if (node.kind == Kind::rational) {
+    const std::string num = node.num.str();
+    // A minus binds like a sum: brackets in all other places.
+    if (node.den == 1) return {num, node.num.sign() < 0 ? 0 : 2};
+    return {num + "/" + node.den.str(), node.num.sign() < 0 ? 0 : 1};
+  }
+  const Formula a = formula_of(*node.a);
+  if (node.kind == Kind::root) return {"sqrt(" + a.text + ")", 2};
+  const Formula b = formula_of(*node.b);
+  switch (node.kind) {
+    case Kind::sum:
+      return {a.text + " + " + (b.text[0] == '-' ? "(" + b.text + ")" : b.text), 0};
+    case Kind::difference:
+      if (node.a->is_rational() && node.a->num.is_zero()) return {"-" + at_least(b, 1), 0};
+      return {a.text + " - " + at_least(b, 1), 0};
+    case Kind::product:
+      return {at_least(a, 1) + " * " + at_least(b, 2), 1};
+    default:
+      return {at_least(a, 1) + " / " + at_least(b, 2), 1};
+  }
+}
+
+}  // namespace
+
+std::string to_text(const RootExpression& a) { return formula_of(a.node()).text; }
 
 }  // namespace dymsum::exact

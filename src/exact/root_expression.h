@@ -23,16 +23,114 @@
 // The bound is the exact exponent of a computation: bits = (2^k - 1) log2 u + log2 l, all logarithms rounded up.
 #pragma once
 
+#include <array>
 #include <concepts>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "exact/big.h"
 #include "exact/interval.h"
 #include "exact/orient.h"
 
 namespace dymsum::exact {
+
+// Classes of integers whose square roots are rational multiples of each other, or of products of each other.
+
+/// Whether n >= 0 is the square of an integer, put into root. Few others get as far as the root.
+std::optional<BigInteger> root_of_square(const BigInteger& n);
+
+/// A bit for each of 32 primes: whether n without its divisors p is no square modulo p. The word of a product is the
+/// exclusive or of the words; a square's is 0. Requires n > 0.
+std::uint32_t square_characters(const BigInteger& n);
+
+/// Positive integers of which no product of different ones is a square: their characters are linearly independent.
+class SquareClasses {
+ public:
+  /// n times the members in a set is the square of root.
+  struct Relation {
+    std::uint32_t members = 0;
+    BigInteger root;
+  };
+
+  const std::vector<BigInteger>& members() const { return members_; }
+  /// How n > 0 depends on the members, of which it becomes the last one where it did not depend on the others. Nothing,
+  /// and no change, where the characters do not decide: once in 2^32 / 2^members.
+  std::optional<Relation> add(const BigInteger& n);
+
+ private:
+  struct Row {
+    std::uint32_t characters;
+    std::uint32_t members;
+  };
+  std::vector<BigInteger> members_;
+  std::vector<Row> rows_;
+};
+
+// What root expressions are made of.
+
+/// The precision of the first look beyond doubles.
+inline constexpr unsigned kFirstPrecision = 128;
+/// The precision of the last look before algebra is asked: balls of so many bits take tens of microseconds, algebra
+/// up to 20 ms. Numbers that are not zero and need more are rare.
+inline constexpr unsigned kLastBeforeAlgebra = 512;
+
+/// Immutable; shared by the expressions that it occurs in.
+struct RootNode {
+  enum class Kind : std::uint8_t { rational, sum, difference, product, quotient, root };
+
+  Kind kind = Kind::rational;
+  Interval interval;                     ///< contains the number
+  std::uint64_t log_u = 0, log_l = 0;    ///< the theorem's u <= 2^log_u, l <= 2^log_l
+  BigInteger num = 0, den = 1;           ///< rational: lowest terms, den > 0
+  std::shared_ptr<const RootNode> a, b;  ///< operands; a alone of a root
+
+  bool is_rational() const { return kind == Kind::rational; }
+};
+
+/// True only if they are equal: one node, or the same rational.
+bool has_same_value(const RootNode& a, const RootNode& b);
+
+/// A sign, and who determined it: one after the other is asked.
+struct NodeAnswer {
+  enum class By : std::uint8_t {
+    doubles,            ///< the node's interval, or its rational
+    precision,          ///< balls of 128, 256 or 512 bits
+    algebra,            ///< it is zero
+    precision_at_last,  ///< balls of more bits; algebra has said that it is not zero, or nothing
+    bound,              ///< it is less than what is not zero
+  };
+  int sign = 0;
+  By by = By::doubles;
+};
+/// Exact.
+NodeAnswer answer_of_node(const RootNode& node);
+SignAnswer sign_of_node(const RootNode& node);
+
+/// The distinct parts of an expression, operands before what is made of them.
+class RootParts {
+ public:
+  explicit RootParts(const RootNode& node);
+
+  /// If E is not zero, |E| >= 2^-bits.
+  std::uint64_t separation_bits() const;
+  /// Contains E; nothing where the precision does not tell a divisor from 0.
+  std::optional<Ball> value(unsigned precision) const;
+
+  struct Part {
+    const RootNode* node;
+    std::uint32_t a, b;  ///< operands among the parts; 0 where there is none
+  };
+  const std::vector<Part>& all() const { return parts_; }
+
+ private:
+  std::uint32_t add(const RootNode& node, std::unordered_map<const RootNode*, std::uint32_t>& positions);
+  std::vector<Part> parts_;
+};
 
 struct RootNode;
 

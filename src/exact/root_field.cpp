@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "exact/square_class.h"
+#include "exact/root_expression.h"
 
 namespace dymsum::exact {
 

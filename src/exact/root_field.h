@@ -11,7 +11,7 @@
 
 #include <optional>
 
-#include "exact/root_node.h"
+#include "exact/root_expression.h"
 
 namespace dymsum::exact {
 

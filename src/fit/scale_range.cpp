@@ -6,16 +6,12 @@
 #include <string>
 
 #include "base/poll.h"
-#include "fit/fit_contacts.h"
 #include "fit/free_intervals.h"
-#include "fit/part_unit.h"
 #include "fit/path_free.h"
 #include "planar/frame/scaling_events.h"
 #include "planar/frame/scaling_sum.h"
-#include "planar/operand/prepared_region.h"
-#include "planar/region/chains.h"
-#include "planar/region/complement.h"
-#include "planar/region/separate_touching.h"
+#include "planar/operand/operand.h"
+#include "planar/region/region.h"
 
 namespace dymsum {
 

@@ -1,12 +1,19 @@
 // Many copies of one shape, each at its own scale: a sweep whose scales are all known beforehand.
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "base/poll.h"
+#include "dymsum/solid_scale_events.h"
+#include "dymsum/solid_scale_range.h"
+#include "exact/big.h"
 #include "planar/frame/scaling_sum.h"
 #include "planar/motion/operand_pair.h"
 
 namespace dymsum {
+
+// Many copies of one shape, each at its own scale: a sweep whose scales are all known beforehand.
+
 namespace {
 
 constexpr double kWidestRun = 1.13;   // beyond it windows sweep too much
@@ -76,6 +83,33 @@ Result<std::vector<CopySum>> scaled_copies(const Region& master, const Region& q
     if (!moved) return moved.error();
     for (const std::size_t i : groups[g]) result[i] = {state.sum, copies[i].at, {}};
     result[groups[g][0]].work = state.work;
+  }
+  return result;
+}
+
+// Many copies of one solid, each at its own scale, from one convolution.
+
+Result<std::vector<SolidCopySum>> scaled_solid_copies(const Mesh& master, const Mesh& q,
+                                                      const std::vector<ScaledSolidCopy>& copies,
+                                                      const Progress& progress) {
+  SolidScaleOptions options;
+  options.moving = MovingOperand::p;
+  const Result<SolidScaleEvents> sums = SolidScaleEvents::create(master, q, options);
+  if (!sums) return sums.error();
+  std::map<exact::BigRational, std::size_t> first;
+  std::vector<SolidCopySum> result;
+  result.reserve(copies.size());
+  for (const ScaledSolidCopy& copy : copies) {
+    if (progress && !progress("copies", static_cast<double>(result.size()) / static_cast<double>(copies.size())))
+      return cancelled();
+    const auto [at, fresh] = first.try_emplace(exact::exact_value(copy.scale.exact()), result.size());
+    if (!fresh) {
+      result.push_back({result[at->second].sum, copy.at});
+      continue;
+    }
+    Result<SpatialSum> sum = sums->at(copy.scale, progress);
+    if (!sum) return sum.error();
+    result.push_back({*std::move(sum), copy.at});
   }
   return result;
 }

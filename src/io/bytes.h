@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "base/bit_cast.h"
+#include "base/doubles.h"
 
 namespace dymsum::io {
 

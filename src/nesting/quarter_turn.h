@@ -1,7 +1,7 @@
 // Quarter turns, which are exact in doubles.
 #pragma once
 
-#include "planar/region/chains.h"
+#include "planar/region/region.h"
 
 namespace dymsum::nesting {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "io/region/tight_data.h"
+#include "io/region/sum_json.h"
 #include "planar/position/exact_source.h"
 
 namespace dymsum::nesting {

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "base/bit_cast.h"
 #include "base/double_text.h"
+#include "base/doubles.h"
 #include "base/poll.h"
 #include "exact/big.h"
 #include "io/region/write_wkb.h"

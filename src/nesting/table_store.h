@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/append_file.h"
+#include "base/output_file.h"
 #include "dymsum/nfp_table.h"
 #include "nesting/table_plan.h"
 

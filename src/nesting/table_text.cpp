@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "dymsum/names.h"
-#include "io/number_text.h"
+#include "io/source.h"
 #include "nesting/table_plan.h"
 
 namespace dymsum {

@@ -7,9 +7,8 @@
 #include <unordered_map>
 
 #include "planar/position/exact_source.h"
-#include "planar/position/position_signs.h"
-#include "planar/result/part_nesting.h"
 #include "planar/result/pieces.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::placement {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dymsum/planar_sum.h"
-#include "exact/homogeneous_point.h"
+#include "exact/big.h"
 #include "exact/interval.h"
 
 namespace dymsum::placement {

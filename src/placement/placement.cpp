@@ -10,7 +10,7 @@
 #include "dymsum/orientation_sum.h"
 #include "placement/disc_polygon.h"
 #include "placement/open_sets.h"
-#include "planar/position/position_signs.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum {
 namespace {

@@ -1,4 +1,4 @@
-#include "base/key_indices.h"
+#include "base/scratch.h"
 
 #include <gtest/gtest.h>
 

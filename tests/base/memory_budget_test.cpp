@@ -11,7 +11,6 @@
 
 #include "base/parallel.h"
 #include "base/scratch.h"
-#include "base/within_memory.h"
 
 namespace dymsum::base {
 namespace {

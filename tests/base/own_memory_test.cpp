@@ -1,5 +1,5 @@
 // One block for many arrays: what does not fit, copies and moves.
-#include "base/own_memory.h"
+#include "base/memory_budget.h"
 
 #include <gtest/gtest.h>
 

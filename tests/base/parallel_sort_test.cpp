@@ -1,4 +1,4 @@
-#include "base/parallel_sort.h"
+#include "base/parallel.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "base/free_memory.h"
+#include "base/memory_budget.h"
 
 namespace dymsum::base {
 namespace {

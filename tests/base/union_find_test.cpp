@@ -1,5 +1,5 @@
 // Classes of elements: the same as by comparing everything with everything.
-#include "base/union_find.h"
+#include "base/scratch.h"
 
 #include <gtest/gtest.h>
 

@@ -15,9 +15,9 @@
 #include "cgal/nef_set.h"
 #include "dymsum/spatial_sum.h"
 #include "oracles/voxel_solids.h"
-#include "spatial/sum/face_triangles.h"
 #include "spatial/sum/random_solids.h"
 #include "spatial/sum/solid_cases.h"
+#include "spatial/sum/vertex_signs.h"
 
 namespace dymsum {
 namespace {

@@ -11,7 +11,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "depth/continuous_normals.h"
+#include "depth/continuous_tracker.h"
 #include "dymsum/solids.h"
 #include "spatial/convex/convex_cases.h"
 #include "spatial/sum/random_solids.h"

@@ -4,7 +4,6 @@
 
 #include "dymsum/mesh_io.h"
 #include "exact/big.h"
-#include "exact/square_root.h"
 #include "spatial/convex/convex_cases.h"
 
 namespace dymsum::test {

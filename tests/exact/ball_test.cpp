@@ -1,5 +1,5 @@
 // Balls against rationals: what they are made to contain stays inside, at every precision.
-#include "exact/ball.h"
+#include "exact/interval.h"
 
 #include <gtest/gtest.h>
 

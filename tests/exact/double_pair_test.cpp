@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "exact/decimal_text.h"
-#include "exact/integer_pair.h"
+#include "exact/big.h"
+#include "exact/interval.h"
 
 namespace dymsum::exact {
 namespace {

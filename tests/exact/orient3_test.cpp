@@ -1,4 +1,4 @@
-#include "exact/orient3.h"
+#include "exact/orient.h"
 
 #include <gtest/gtest.h>
 

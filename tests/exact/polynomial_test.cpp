@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "exact/polynomials.h"
-#include "exact/root_filter.h"
+#include "exact/root_bracket.h"
 
 namespace dymsum::exact {
 namespace {

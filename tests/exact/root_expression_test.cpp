@@ -12,8 +12,6 @@
 #include <vector>
 
 #include "exact/root_field.h"
-#include "exact/root_node.h"
-#include "exact/square_class.h"
 
 namespace dymsum::exact {
 namespace {

@@ -1,5 +1,5 @@
 // Values at a root: signs that only a remainder decides, and doubles as near as they can be.
-#include "exact/root_value.h"
+#include "exact/algebraic_root.h"
 
 #include <gtest/gtest.h>
 

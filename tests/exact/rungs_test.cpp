@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/gmp_bridge.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "oracles/coordinate_kinds.h"
 #include "oracles/verdict.h"
 

@@ -1,5 +1,5 @@
 // Roots rounded once, against the definition.
-#include "exact/square_root.h"
+#include "exact/big.h"
 
 #include <gtest/gtest.h>
 

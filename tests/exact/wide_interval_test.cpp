@@ -1,5 +1,5 @@
 // Intervals of seventy digits against exact rationals.
-#include "exact/wide_interval.h"
+#include "exact/interval.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "exact/big.h"
 #include "exact/gmp_bridge.h"
 #include "exact/grid.h"
-#include "exact/signs.h"
+#include "exact/int.h"
 
 namespace dymsum::exact {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/number_text.h"
+#include "io/source.h"
 
 #include <bit>
 #include <cmath>

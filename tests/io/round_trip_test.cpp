@@ -6,7 +6,7 @@
 
 #include "dymsum/shapes.h"
 #include "io/reading.h"
-#include "io/region/readers.h"
+#include "io/region/read_shapes.h"
 #include "io/region/ring_order.h"
 #include "oracles/snapped_shapes.h"
 

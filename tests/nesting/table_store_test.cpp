@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "base/append_file.h"
+#include "base/output_file.h"
 #include "dymsum/nfp_table.h"
 #include "dymsum/shapes.h"
 #include "io/reading.h"

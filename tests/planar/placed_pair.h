@@ -1,8 +1,7 @@
 // Two regions as operands on their common lattice: what the stages of a sum start from.
 #pragma once
 
-#include "planar/operand/placed_pair.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/operand/operand.h"
 
 namespace dymsum::planar {
 

@@ -8,9 +8,9 @@
 
 #include "exact/big.h"
 #include "exact/grid.h"
-#include "exact/one_rounding.h"
 #include "exact/orient.h"
 #include "planar/motion/orientation.h"
+#include "spatial/gauss/overlay.h"
 
 namespace dymsum {
 namespace {

@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "spatial/convex/convex_state.h"
+#include "spatial/convex/convex_sum.h"
 #include "spatial/convex/exact_positions.h"
 #include "spatial/convex/facet_corners.h"
 #include "spatial/gauss/overlay.h"
-#include "spatial/sum/sum_of_convex_solids.h"
+#include "spatial/sum/spatial_sum.h"
 #include "thesis/critical_angles.h"
 #include "thesis/structure_store.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/motion/scaling_forms.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 

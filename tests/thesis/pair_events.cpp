@@ -5,7 +5,6 @@
 
 #include "planar/convolution/convolution.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/motion/scaling_forms.h"
 #include "thesis/crossing_range.h"
 
 namespace dymsum {

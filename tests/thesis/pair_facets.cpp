@@ -1,6 +1,6 @@
 #include "thesis/pair_facets.h"
 
-#include "exact/limbs.h"
+#include "exact/int.h"
 
 namespace dymsum::spatial {
 

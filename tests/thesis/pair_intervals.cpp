@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "exact/rational_order.h"
+#include "exact/big.h"
 #include "spatial/events/meeting_point.h"
 
 namespace dymsum::spatial {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "spatial/motion/beside_origin.h"
-#include "spatial/moving/posed_sum.h"
+#include "spatial/moving/moving_solid_sum.h"
 #include "thesis/pair_intervals.h"
 
 namespace dymsum {

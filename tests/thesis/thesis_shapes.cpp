@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "dymsum/shapes.h"
-#include "planar/shapes/shapes_source.h"
+#include "planar/shapes/shapes.h"
 
 namespace dymsum::shapes {
 namespace {

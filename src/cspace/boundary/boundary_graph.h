@@ -11,17 +11,58 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "base/memory_budget.h"
-#include "cspace/boundary/partition.h"
-#include "cspace/boundary/segment_index.h"
-#include "cspace/events/sub_edge.h"
+#include "base/scratch.h"
+#include "cspace/events/exact_position.h"
+#include "planar/operand/operand.h"
 
 namespace dymsum::planar {
+
+// Segments by index: those of edges of the fixed operand first, then those of edges of the turning one.
+
+class SegmentIndex {
+ public:
+  /// How many vertices the walks of the operands have.
+  SegmentIndex(std::uint32_t fixed, std::uint32_t turning) : n0_(fixed), n1_(turning) {}
+  std::size_t count() const { return std::size_t{2} * n0_ * n1_; }
+  std::uint32_t of(const WalkSegment& s) const {
+    return s.side == 0 ? s.edge * n1_ + s.vertex : n0_ * n1_ + s.edge * n0_ + s.vertex;
+  }
+  WalkSegment segment(std::uint32_t index) const {
+    if (index < n0_ * n1_) return {0, index / n1_, index % n1_};
+    return {1, (index - n0_ * n1_) / n0_, (index - n0_ * n1_) % n0_};
+  }
+
+ private:
+  std::uint32_t n0_, n1_;
+};
+
+// Elements 0, 1, ... in classes that may be joined.
+
+/// A class is named by its smallest element, in whatever order classes were joined.
+class Partition {
+ public:
+  explicit Partition(std::size_t count = 0) : classes_(static_cast<std::uint32_t>(count)) {}
+  std::size_t size() const { return classes_.size(); }
+  /// A class of its own.
+  std::uint32_t add() { return classes_.add(); }
+  std::uint32_t find(std::uint32_t i) const { return classes_.root(i); }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = classes_.root(a);
+    b = classes_.root(b);
+    if (a != b) classes_.unite(std::max(a, b), std::min(a, b));
+  }
+
+ private:
+  UnionFind classes_;
+};
 
 /// No node, no cell, no angle.
 inline constexpr std::uint32_t kNobody = 0xffffffff;
@@ -177,5 +218,18 @@ class BoundaryGraph {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> relinked_;
   std::uint32_t loops_born_ = 0;
 };
+
+// What lies between the boundary before an angle and a whole slice after it.
+
+/// A loop of a slice: its segments, by index, in order.
+struct SliceLoop {
+  std::vector<std::uint32_t> segments;
+  bool outer = false;
+};
+
+/// The edit, without `continued`. Nodes with the same segment and neighbours stay, but for those that are `parted`:
+/// they end, and touch what begins in their place. O(n log n).
+SliceEdit slice_difference(const BoundaryGraph& before, const std::vector<SliceLoop>& after,
+                           const std::function<bool(std::uint32_t)>& parted);
 
 }  // namespace dymsum::planar

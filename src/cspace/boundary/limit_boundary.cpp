@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/union_find.h"
-#include "planar/window/box_pairs.h"
+#include "base/scratch.h"
+#include "planar/window/rotating_window.h"
 
 namespace dymsum::planar {
 namespace {

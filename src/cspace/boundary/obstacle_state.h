@@ -1,12 +1,13 @@
-// What a CspaceObstacle holds.
+// What a CspaceObstacle holds, and what every one begins with.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "dymsum/cspace_obstacle.h"
-#include "planar/motion/exact_angle.h"
 #include "planar/motion/operand_pair.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum {
 
@@ -44,5 +45,23 @@ struct ObstacleInternals {
   static const CspaceObstacle::State& of(const CspaceObstacle& obstacle) { return *obstacle.state_; }
 };
 using ObstacleState = ObstacleInternals::State;
+
+// The slabs, the ranges between neighbouring event angles, that a patch is in.
+
+/// Slabs counted from `begin` on, round the circle.
+inline std::uint32_t slabs_between(std::uint32_t begin, std::uint32_t slab, std::size_t slabs) {
+  return static_cast<std::uint32_t>(slab >= begin ? slab - begin : slab + slabs - begin);
+}
+/// Whether a patch is there in a slab.
+inline bool is_in_slab(const Patch& p, std::uint32_t slab, std::size_t slabs) {
+  if (p.begin == Patch::kNone) return true;
+  const std::uint32_t length = slabs_between(p.begin, p.end, slabs);
+  return length == 0 || slabs_between(p.begin, slab, slabs) < length;
+}
+
+// What every obstacle begins with: its operands and their lattice.
+
+/// A state with robot, obstacle and base, and nothing else. Errors as CspaceObstacle::create.
+Result<std::unique_ptr<planar::ObstacleState>> start_obstacle(const Region& robot, const Region& obstacle);
 
 }  // namespace dymsum::planar

@@ -1,8 +1,11 @@
 #include "cspace/events/exact_position.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "cspace/events/walked_rings.h"
 #include "exact/rounding_bound.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
 
@@ -189,6 +192,127 @@ int SignsAt::dot(const WalkSegment& d, const WalkSegment& e) const {
   const double value = u.x * v.x + u.y * v.y;
   if (std::abs(value) > kProduct * forms_.length1(d) * forms_.length1(e)) return value > 0 ? 1 : -1;
   return sign(forms_.exact_along(d, TurningForms::start(e), forms_.end(e), angle_.chart));
+}
+
+Located position_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h,
+                    double turn) {
+  if (at_start ? meet_at_ends(forms, other, s) : meet_at_ends(forms, s, other)) return {at_start ? 0.0 : 1.0, 0};
+  const TrigForm side = forms.side(other, TurningForms::start(s)), cross = forms.cross(s, other);
+  const double d = cross.at(h), t = side.at(h) / d;
+  // The numerator and the denominator err by their bounds, and change by their swings: of lines that may be parallel
+  // doubles know nothing. Other roundings are less than what the bounds grant beyond what they count.
+  const double n_error = forms.side_error(other) + turn * side.swing(),
+               d_error = kTurnedCross * forms.length1(s) * forms.length1(other) + turn * cross.swing(),
+               size = std::abs(d) - d_error;
+  return {t, size > 0 ? (n_error + std::abs(t) * d_error) / size : INFINITY};
+}
+
+// The start of its segment and a fraction of its vector, which is a crossing's side / cross. Where the crossing line
+// runs along this one at the angle, both are zero and their derivatives tell the limit.
+std::optional<Fraction> end_along(const SignsAt& signs, const WalkSegment& s, const SubEdge& e, bool at_end) {
+  const TurningForms& forms = signs.forms();
+  const int chart = signs.chart();
+  const WalkSegment &t = e.segment, &by = at_end ? e.right : e.left;
+  const Pair start = TurningForms::start(t), end = forms.end(t);
+  const Polynomial one(std::vector<exact::Big>{exact::Big(exact::BigInteger(1))});
+  if (at_end && meet_at_ends(forms, t, by))
+    return Fraction{forms.exact_along(s, TurningForms::start(s), end, chart), one};
+  const Polynomial base = forms.exact_along(s, TurningForms::start(s), start, chart);
+  if (!at_end && meet_at_ends(forms, by, t)) return Fraction{base, one};
+  Polynomial side = forms.exact_side(by, start, chart), cross = forms.exact_cross(t, by, chart);
+  if (signs.sign(cross) == 0) {
+    if (signs.sign(side) != 0) return std::nullopt;
+    side = side.derivative();
+    cross = cross.derivative();
+    if (signs.sign(cross) == 0) return std::nullopt;
+  }
+  return Fraction{sum_of(product(base, cross), product(side, forms.exact_along(s, start, end, chart)), 1), cross};
+}
+
+EventPosition position_of(const RotationEvent& event, const TurningForms& forms, Heading h) {
+  using Kind = RotationEvent::Kind;
+  if (event.kind == Kind::vertex_on_segment) return {forms.position(event.v, h)};
+  if (event.kind == Kind::overlap) return {forms.position(TurningForms::start(event.a), h)};
+  if (event.kind == Kind::alignment) {
+    return {forms.position({forms.operand(0).next[event.f], forms.operand(1).next[event.e]}, h)};
+  }
+  const std::array<const WalkSegment*, 3> s{&event.a, &event.b, &event.c};
+  EventPosition position{{}, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WalkSegment &a = *s[k], &b = *s[(k + 1) % 3];
+    const double cross = forms.cross(a, b).at(h), sine = std::abs(cross) / (forms.length1(a) * forms.length1(b));
+    if (!(sine > position.sine)) continue;
+    const double t = forms.side(b, TurningForms::start(a)).at(h) / cross;
+    const Point from = forms.position(TurningForms::start(a), h), d = forms.direction(a, h);
+    position = {{from.x + t * d.x, from.y + t * d.y}, sine};
+  }
+  return position;
+}
+
+// A crossing errs by what the side and the cross product do, over the sine.
+static_assert((kTurnedSide + kTurnedCross) / kPlacedSine + kTurnedPosition < OverlapFilter::kPosition);
+
+// The position of an event moves by at most 1 + 4 / sine spans for every radian (event_clusters.cpp), a vertex of the
+// robot by less than one. What is covered by the filter's margin at one angle is covered as long as they move by less
+// than that leaves.
+bool provably_covered(const RotationEvent& event, const TurningForms& forms, const OverlapFilter& filter) {
+  const Heading h = Heading::of(event.theta());
+  const EventPosition position = position_of(event, forms, h);
+  const double moves = (event.high - event.low) * (2 + 4 / position.sine);
+  return position.sine >= kPlacedSine && moves <= OverlapFilter::kMoves && filter.inside(position.at, h);
+}
+
+using Existence = RotationCatalog::Existence;
+
+// The edge's direction lies strictly between those of the edges at a convex vertex exactly if it is on the left of the
+// first one and the second one is on its left: the cone is at most a half turn.
+std::array<int, 2> existence_signs(const SignsAt& signs, const WalkSegment& s) {
+  const std::uint32_t op = 1 - s.side, before = signs.forms().operand(op).prev[s.vertex];
+  return {signs.cross({op, before, 0}, s), signs.cross(s, {op, s.vertex, 0})};
+}
+
+bool exists_at(const SignsAt& signs, const RotationCatalog& catalog, const WalkSegment& s) {
+  if (!catalog.may_exist(s)) return false;
+  if (signs.forms().is_point(1 - s.side, s.vertex)) return true;
+  const auto [from, to] = existence_signs(signs, s);
+  return from >= 0 && to >= 0;
+}
+
+// Doubles decide with a margin for what they and the event's angle err by, exact signs decide the rest.
+Existence EventSigns::exists(const WalkSegment& s) const {
+  if (!catalog_.may_exist(s)) return Existence::no;
+  const std::uint32_t op = 1 - s.side;
+  const RotationCatalog::Span span = catalog_.span(s, event_.theta());
+  const double slack = kAngleSlack + (event_.high - event_.low);
+  if (span.from > slack || span.to < -slack) return Existence::no;
+  if (forms_.is_point(op, s.vertex) || (span.from < -slack && span.to > slack)) return Existence::yes;
+  const auto [from, to] = existence_signs(exact(), s);
+  if (from < 0 || to < 0) return Existence::no;
+  return from > 0 && to > 0 ? Existence::yes : Existence::unsure;
+}
+
+RotationCatalog::Joint EventSigns::joint(Pair v) const {
+  RotationCatalog::Joint joint;
+  const auto set = [&](const WalkSegment& s, bool& has, WalkSegment& to) {
+    const Existence e = exists(s);
+    if (e == Existence::no) return;
+    joint.unsure |= e == Existence::unsure || has;
+    has = true;
+    to = s;
+  };
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    const std::uint32_t own = side == 0 ? v.p : v.q, other = side == 0 ? v.q : v.p;
+    set({side, forms_.operand(side).prev[own], other}, joint.has_in, joint.in);
+    set({side, own, other}, joint.has_out, joint.out);
+  }
+  return joint;
+}
+
+// The first derivative that is not zero decides: what polynomials are multiplied by to be integers is positive.
+int EventSigns::after(const exact::Polynomial& p) const {
+  int sign = 0;
+  for (exact::Polynomial d = p.derivative(); sign == 0 && !d.is_zero(); d = d.derivative()) sign = exact().sign(d);
+  return sign;
 }
 
 }  // namespace dymsum::planar

@@ -2,9 +2,12 @@
 // a segment's line they are, and where along it.
 #pragma once
 
+#include <array>
 #include <optional>
 
-#include "planar/motion/exact_angle.h"
+#include "cspace/events/overlap_filter.h"
+#include "cspace/events/rotation_events.h"
+#include "planar/motion/orientation.h"
 #include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
@@ -91,6 +94,79 @@ class SignsAt {
   ExactAngle angle_;
   mutable exact::RootBracket bracket_;  // of the angle, as narrow as was requested
   Heading heading_;
+};
+
+// A piece of the boundary between two angles, of a segment between those of its neighbours along the boundary: where it
+// begins and ends on its line.
+
+struct SubEdge {
+  WalkSegment segment, left, right;
+};
+
+/// A parameter along a segment, and how much it may err.
+struct Located {
+  double t = 0, error = 0;
+};
+/// The position at which a segment is cut by another one, or meets it in a common pair of vertices at the given end:
+/// the error is that at every angle within `turn` of h.
+Located position_on(const TurningForms& forms, const WalkSegment& s, const WalkSegment& other, bool at_start, Heading h,
+                    double turn = 0);
+
+/// The position at which a sub-edge begins or ends along the line of s at the exact angle, times |d_s|^2 and (1 + t^2);
+/// the limit from near angles where its neighbour's line comes to lie along its own. Nothing where these are parallel
+/// at every angle, or apart at this one.
+std::optional<Fraction> end_along(const SignsAt& signs, const WalkSegment& s, const SubEdge& e, bool at_end);
+
+// The position in the plane of sums at which an event happens, and whether that position is provably covered.
+
+/// The position in the forms' doubles at heading h: a vertex for vertex events, for three segments the crossing of the
+/// two that are least parallel, for alignments the vertex between the two edges, for overlaps the start of the first
+/// segment.
+struct EventPosition {
+  Point at;
+  double sine = 1;  ///< at most that of the angle between the two segments: the position errs by its inverse
+};
+EventPosition position_of(const RotationEvent& event, const TurningForms& forms, Heading h);
+
+/// Lines that cross at a smaller sine have no position that is known well enough.
+inline constexpr double kPlacedSine = 0x1p-5;
+
+/// Provably inside the obstacle, where nothing is visible; false for nearly parallel segments and uncertain angles. Of
+/// a vertex event or three segments.
+bool provably_covered(const RotationEvent& event, const TurningForms& forms, const OverlapFilter& filter);
+
+// Exact signs at the angle of one event, where doubles leave something open.
+
+/// Signs at the sides of the directions between which a segment exists: 1 inside, 0 where it begins or ends, -1 beyond.
+/// It exists between both; at an angle, ends included, where neither is -1. Requires an edge at the vertex.
+std::array<int, 2> existence_signs(const SignsAt& signs, const WalkSegment& s);
+/// Whether a segment exists at the angle, or just begins or ends there.
+bool exists_at(const SignsAt& signs, const RotationCatalog& catalog, const WalkSegment& s);
+
+class EventSigns {
+ public:
+  EventSigns(RotationEvent& event, const TurningForms& forms, const RotationCatalog& catalog,
+             const RotationRange& range)
+      : event_(event), forms_(forms), catalog_(catalog), range_(range) {}
+
+  /// Made when they are first requested.
+  const SignsAt& exact() const {
+    if (!exact_) exact_.emplace(forms_, ExactAngle{range_.chart, exact_root(event_, forms_, range_)});
+    return *exact_;
+  }
+  /// Whether a segment exists at the angle and at all near ones; `unsure` only where it begins or ends there.
+  RotationCatalog::Existence exists(const WalkSegment& s) const;
+  /// What ends and starts at a pair, by this existence.
+  RotationCatalog::Joint joint(Pair v) const;
+  /// The sign just after the angle of a form that is zero there, its polynomial being p.
+  int after(const exact::Polynomial& p) const;
+
+ private:
+  RotationEvent& event_;
+  const TurningForms& forms_;
+  const RotationCatalog& catalog_;
+  const RotationRange& range_;
+  mutable std::optional<SignsAt> exact_;
 };
 
 }  // namespace dymsum::planar

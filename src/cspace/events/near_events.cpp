@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cspace/events/edge_aprons.h"
-#include "cspace/events/inner_points.h"
+#include "cspace/events/overlap_filter.h"
 
 namespace dymsum::planar {
 namespace {

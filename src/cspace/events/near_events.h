@@ -9,7 +9,7 @@
 
 #include "cspace/events/near_angle.h"
 #include "cspace/events/overlap_filter.h"
-#include "planar/motion/rotation_catalog.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
 

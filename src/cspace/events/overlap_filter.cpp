@@ -1,6 +1,7 @@
 #include "cspace/events/overlap_filter.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dymsum::planar {
 
@@ -162,6 +163,118 @@ bool OverlapFilter::inside(Point at, Heading h) const {
       if (holds(1, q, {at.x - f.x, at.y - f.y}, h)) return true;
     }
   return false;
+}
+
+namespace {
+
+/// Positions so near to each other, as a fraction of the span, get one answer.
+constexpr double kCell = 0x1p-14;
+
+}  // namespace
+
+InnerPoints::InnerPoints(const TurningForms& forms, const OverlapFilter& filter) : forms_(forms), filter_(filter) {
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    const Operand& o = forms.operand(op);
+    for (std::uint32_t e = 0; e < forms.size(op); ++e) {
+      const std::uint32_t component = o.component_of[e];
+      if (o.components[component].dimension != 2) continue;
+      const Point a = forms.points(op)[e], b = forms.points(op)[o.next[e]], d{b.x - a.x, b.y - a.y};
+      for (const double fraction : {0.25, 0.0625, 0.015625}) {
+        const Point x{(a.x + b.x) / 2 - fraction * d.y, (a.y + b.y) / 2 + fraction * d.x};
+        if (!filter.holds(op, component, x, Heading{}, fraction / 2 * std::hypot(d.x, d.y))) continue;
+        points_[op].push_back(x);
+        break;
+      }
+    }
+  }
+}
+
+bool InnerPoints::inside(std::uint32_t op, std::size_t k, Point at, Heading h, double margin) const {
+  const Point p = points_[op][k];
+  const Point x =
+      op == 0 ? Point{at.x - p.x, at.y - p.y} : Point{at.x - (h.c * p.x - h.s * p.y), at.y - (h.s * p.x + h.c * p.y)};
+  const std::size_t components = forms_.operand(1 - op).components.size();
+  for (std::uint32_t c = 0; c < components; ++c)
+    if (forms_.operand(1 - op).components[c].dimension == 2 && filter_.holds(1 - op, c, x, h, margin)) return true;
+  return false;
+}
+
+bool InnerPoints::inside(Point at, Heading h, double margin) {
+  const double cell = kCell * forms_.span(), x = std::nearbyint(at.x / cell), y = std::nearbyint(at.y / cell);
+  const auto [it, fresh] = known_.try_emplace({static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)}, false);
+  if (fresh) it->second = find({x * cell, y * cell}, h, margin + cell);
+  return it->second;
+}
+
+bool InnerPoints::find(Point at, Heading h, double margin) {
+  for (const std::uint32_t op : {0U, 1U})
+    if (last_[op] < points_[op].size() && inside(op, last_[op], at, h, margin)) return true;
+  for (const std::uint32_t op : {1U, 0U})
+    for (std::size_t k = 0; k < points_[op].size(); ++k)
+      if (k != last_[op] && inside(op, k, at, h, margin)) {
+        last_[op] = k;
+        return true;
+      }
+  return false;
+}
+
+namespace {
+
+/// Lengths in depths: how far from an edge nothing else may come, how near to an end a corner counts, and beyond one.
+constexpr double kClear = 16, kCorner = 4, kBeyond = 2;
+/// Twice as long, and corners apart.
+constexpr double kLeastLength = 2 * kClear;
+
+}  // namespace
+
+EdgeAprons::Beside EdgeAprons::beside(std::uint32_t op, std::uint32_t edge, double along, double left) {
+  std::uint8_t& known = clear_[op][edge];
+  if (known == kUnknown) known = clear(op, edge) ? 1 : 0;
+  if (known == 0 || !(std::abs(left) <= depth_)) return Beside::no;
+  const Operand& o = forms_.operand(op);
+  const Point d = forms_.edge(op, edge);
+  const double length = std::hypot(d.x, d.y);
+  if (!(along >= -kBeyond * depth_ && along <= length + kBeyond * depth_)) return Beside::no;
+  // At a reflex corner the interior is what is left of one of the two edges, at a convex one what is left of both.
+  if (along < kCorner * depth_ && o.convex[edge] != 0) return Beside::prev;
+  if (along > length - kCorner * depth_ && o.convex[o.next[edge]] != 0) return Beside::next;
+  return Beside::edge;
+}
+
+// A convex corner that is not sharp leaves the edge faster than at a quarter of its distance from the corner.
+bool EdgeAprons::blunt(std::uint32_t op, std::uint32_t edge, std::uint32_t next) const {
+  const Point d = forms_.edge(op, edge), e = forms_.edge(op, next);
+  const double cross = d.x * e.y - d.y * e.x, dot = d.x * e.x + d.y * e.y;
+  return dot >= 0 || std::abs(cross) >= 0.5 * std::hypot(d.x, d.y) * std::hypot(e.x, e.y);
+}
+
+// No other edge meets the rectangle around this one: it lies beyond one of its sides, or the rectangle beside its line.
+bool EdgeAprons::clear(std::uint32_t op, std::uint32_t edge) const {
+  const Operand& o = forms_.operand(op);
+  if (o.components[o.component_of[edge]].dimension != 2 || forms_.is_point(op, edge)) return false;
+  const std::uint32_t before = o.prev[edge], after = o.next[edge];
+  if (!blunt(op, before, edge) || !blunt(op, edge, after)) return false;
+  const std::vector<Point>& at = forms_.points(op);
+  const Point a = at[edge], e = forms_.edge(op, edge);
+  const double length = std::hypot(e.x, e.y), wide = kClear * depth_;
+  if (!(length >= kLeastLength * depth_)) return false;
+  const Point u{e.x / length, e.y / length};
+  const auto seen = [&](Point p) {
+    return Point{u.x * (p.x - a.x) + u.y * (p.y - a.y), u.x * (p.y - a.y) - u.y * (p.x - a.x)};
+  };
+  for (std::uint32_t f = 0; f < forms_.size(op); ++f) {
+    if (f == edge || f == before || f == after) continue;
+    const Point p = seen(at[f]), q = seen(at[o.next[f]]);
+    if (std::max(p.x, q.x) < -wide || std::min(p.x, q.x) > length + wide || std::max(p.y, q.y) < -wide ||
+        std::min(p.y, q.y) > wide)
+      continue;
+    const auto side = [&](double x, double y) { return (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x); };
+    const auto [least, most] =
+        std::minmax({side(-wide, -wide), side(length + wide, -wide), side(length + wide, wide), side(-wide, wide)});
+    const double margin = 0.01 * wide * std::hypot(q.x - p.x, q.y - p.y);
+    if (!(least > margin || most < -margin)) return false;
+  }
+  return true;
 }
 
 }  // namespace dymsum::planar

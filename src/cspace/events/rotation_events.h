@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "base/memory_budget.h"
-#include "cspace/events/event_window.h"
+#include "cspace/events/near_angle.h"
 #include "cspace/events/overlap_filter.h"
 #include "exact/algebraic_root.h"
+#include "exact/rounding_bound.h"
 
 namespace dymsum::planar {
 
@@ -63,5 +64,25 @@ struct QuarterEnds {
 RotationEvents events_in(const EventWindow& window, const TurningForms& forms, const RotationCatalog& catalog,
                          const std::vector<Alignment>& all, const OverlapFilter* filter, const QuarterEnds& ends,
                          const std::function<void()>& again);
+
+// The angles between which an event lies, from its root.
+
+/// The error of the angle of a tangent, below 8: twice an arc tangent, half a turn as a double, their sum, and the sum
+/// with this bound, which just below 4 may end at 4.
+inline constexpr double kEventAngle = exact::rounding_bound(2 + 2 + 4 + 4, 16);
+
+/// Requires event.root.
+inline void set_angles(RotationEvent& event, const RotationRange& range) {
+  event.low = range.theta(event.root->low()) - kEventAngle;
+  event.high = range.theta(event.root->high()) + kEventAngle;
+}
+
+/// The same by the root to 60 binary digits, where what doubles know of it is far wider.
+inline void narrow_angles(RotationEvent& event, const RotationRange& range) {
+  exact::RootBracket bracket = event.root->bracket();
+  bracket.refine_to(60);
+  event.low = range.theta(exact::double_bounds(bracket.low().value()).first) - kEventAngle;
+  event.high = range.theta(exact::double_bounds(bracket.high().value()).second) + kEventAngle;
+}
 
 }  // namespace dymsum::planar

@@ -1,19 +1,228 @@
 #include "dymsum/obstacle_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "base/double_text.h"
 #include "base/poll.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/mesh/obstacle_rails.h"
-#include "cspace/mesh/station_closing.h"
+
+namespace dymsum::cspace {
+namespace {
+
+// Closing the mesh of an obstacle at one event angle.
+
+/// A corner of a closed walk, and the patch of the edge that leaves it.
+struct WalkCorner {
+  std::uint32_t joint = 0, patch = 0;
+};
+
+/// A vertex of the mesh and the patch of the edge that leaves it.
+struct RingCorner {
+  std::uint32_t vertex = 0, patch = 0;
+};
+
+/// Closes rings of one station by triangles whose edges are those of the ring and, twice, others: the smallest ear is
+/// cut off until nothing is left, which never leaves the lines of a ring that encloses nothing. Edges that are there
+/// already are avoided. O(n^2).
+class RingCloser {
+ public:
+  explicit RingCloser(ObstacleMesh& mesh) : mesh_(mesh) {}
+  void add_edge(std::uint32_t a, std::uint32_t b);
+  void close(std::vector<RingCorner> ring);
+
+ private:
+  double cost(const std::vector<RingCorner>& ring, std::size_t at) const;
+  bool has_edge(std::uint32_t a, std::uint32_t b) const;
+  void add_triangle(const RingCorner& a, const RingCorner& b, const RingCorner& c);
+
+  ObstacleMesh& mesh_;
+  std::unordered_set<std::uint64_t> edges_;
+};
+
+using PieceAt = std::unordered_map<std::uint32_t, std::uint32_t>;
+
+/// Walks the edges of a station, each once.
+class Walker {
+ public:
+  Walker(const ObstacleLayout& layout, const Station& station) : layout_(layout), station_(station) {
+    for (const std::uint32_t k : station.ending) out_below_[layout.pieces[k].joint[0]] = k;
+    for (const std::uint32_t k : station.beginning) in_above_[layout.pieces[k].joint[1]] = k;
+  }
+
+  std::vector<std::vector<WalkCorner>> walks() {
+    std::vector<std::vector<WalkCorner>> found;
+    for (const std::uint32_t k : station_.ending)
+      if (out_below_.contains(layout_.pieces[k].joint[0])) walk(layout_.pieces[k].joint[0], true, found);
+    for (const std::uint32_t k : station_.beginning)
+      if (in_above_.contains(layout_.pieces[k].joint[1])) walk(layout_.pieces[k].joint[1], false, found);
+    return found;
+  }
+
+ private:
+  /// Nothing for a walk that does not come back: the mesh stays open there.
+  void walk(std::uint32_t joint, bool forward, std::vector<std::vector<WalkCorner>>& found) {
+    const std::uint32_t start = joint;
+    const bool start_forward = forward;
+    std::vector<WalkCorner> corners;
+    do {
+      PieceAt& edges = forward ? out_below_ : in_above_;
+      const auto at = edges.find(joint);
+      if (at == edges.end()) return;
+      const Piece& piece = layout_.pieces[at->second];
+      corners.push_back({joint, piece.patch});
+      joint = piece.joint[forward ? 1 : 0];
+      edges.erase(at);
+      const std::uint32_t beyond = forward ? layout_.above(station_, joint) : layout_.below(station_, joint);
+      if (beyond == kNobody) continue;
+      joint = beyond;
+      forward = !forward;
+    } while (joint != start || forward != start_forward);
+    found.push_back(std::move(corners));
+  }
+
+  const ObstacleLayout& layout_;
+  const Station& station_;
+  PieceAt out_below_, in_above_;  // by the joint at which the walk enters the edge
+};
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+  return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+/// The edges of the pieces that end, run forwards, and of those that begin, run backwards, as closed walks: a walk
+/// turns from the ones to the others wherever a joint is there on both sides. Between two such joints the boundary
+/// before and the boundary after are the same set, so every walk goes along each of its lines as often in either
+/// direction.
+std::vector<std::vector<WalkCorner>> closing_walks(const ObstacleLayout& layout, const Station& station) {
+  return Walker(layout, station).walks();
+}
+
+void RingCloser::add_edge(std::uint32_t a, std::uint32_t b) { edges_.insert(edge_key(a, b)); }
+
+bool RingCloser::has_edge(std::uint32_t a, std::uint32_t b) const { return edges_.contains(edge_key(a, b)); }
+
+/// Twice the area of the ear at a corner; an edge there and back costs less than nothing, and a taken edge everything.
+double RingCloser::cost(const std::vector<RingCorner>& ring, std::size_t at) const {
+  const std::size_t n = ring.size();
+  const std::uint32_t before = ring[(at + n - 1) % n].vertex, after = ring[(at + 1) % n].vertex;
+  if (before == after) return -1;
+  const Configuration &a = mesh_.vertices[before], &b = mesh_.vertices[ring[at].vertex], &c = mesh_.vertices[after];
+  const double area = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+  return n > 3 && has_edge(before, after) ? std::numeric_limits<double>::max() : area;
+}
+
+void RingCloser::add_triangle(const RingCorner& a, const RingCorner& b, const RingCorner& c) {
+  mesh_.triangles.push_back({{a.vertex, b.vertex, c.vertex}, b.patch, true});
+}
+
+void RingCloser::close(std::vector<RingCorner> ring) {
+  while (ring.size() > 2) {
+    const std::size_t n = ring.size();
+    std::size_t best = 0;
+    double least = cost(ring, 0);
+    for (std::size_t k = 1; k < n; ++k)
+      if (const double c = cost(ring, k); c < least) best = k, least = c;
+    const std::size_t before = (best + n - 1) % n, after = (best + 1) % n;
+    if (ring[before].vertex == ring[after].vertex) {
+      ring[before].patch = ring[after].patch;
+      for (const std::size_t k : {std::max(best, after), std::min(best, after)})
+        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(k));
+      continue;
+    }
+    add_triangle(ring[before], ring[best], ring[after]);
+    if (n == 3) return;
+    add_edge(ring[before].vertex, ring[after].vertex);
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+}
+
+}  // namespace
+}  // namespace dymsum::cspace
 
 namespace dymsum {
+
+// What can be said of the mesh of an obstacle without the obstacle.
+
+namespace {
+
+/// An edge from its smaller to its larger vertex, and which way a triangle runs along it.
+struct Use {
+  std::uint64_t edge = 0;
+  bool forward = false;
+  friend auto operator<=>(const Use&, const Use&) = default;
+};
+
+std::vector<Use> uses_of(const ObstacleMesh& mesh) {
+  std::vector<std::uint32_t> same(mesh.vertices.size());
+  std::iota(same.begin(), same.end(), 0u);
+  for (const auto& [bottom, top] : mesh.seam) same[bottom] = top;
+  std::vector<Use> uses;
+  uses.reserve(3 * mesh.triangles.size());
+  for (const ObstacleTriangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint64_t a = same[t.vertices[k]], b = same[t.vertices[(k + 1) % 3]];
+      uses.push_back({(std::min(a, b) << 32) | std::max(a, b), a < b});
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  return uses;
+}
+
+}  // namespace
+
+MeshClosure closure(const ObstacleMesh& mesh) {
+  MeshClosure found;
+  const std::vector<Use> uses = uses_of(mesh);
+  for (std::size_t k = 0; k < uses.size();) {
+    std::uint64_t forward = 0, backward = 0;
+    const std::uint64_t edge = uses[k].edge;
+    for (; k < uses.size() && uses[k].edge == edge; ++k) ++(uses[k].forward ? forward : backward);
+    ++found.edges;
+    found.open += forward != backward ? 1 : 0;
+    found.crowded += forward == backward && forward > 1 ? 1 : 0;
+  }
+  for (const ObstacleTriangle& t : mesh.triangles) {
+    if (!t.closing) continue;
+    const Configuration &a = mesh.vertices[t.vertices[0]], &b = mesh.vertices[t.vertices[1]],
+                        &c = mesh.vertices[t.vertices[2]];
+    found.closing_area += std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+  }
+  return found;
+}
+
+/// The flow of (x, 0, 0) through the triangles; nothing flows through the end planes.
+double enclosed_volume(const ObstacleMesh& mesh) {
+  double volume = 0;
+  for (const ObstacleTriangle& t : mesh.triangles) {
+    const Configuration &a = mesh.vertices[t.vertices[0]], &b = mesh.vertices[t.vertices[1]],
+                        &c = mesh.vertices[t.vertices[2]];
+    const double normal_x = (b.y - a.y) * (c.theta - a.theta) - (b.theta - a.theta) * (c.y - a.y);
+    volume += (a.x + b.x + c.x) / 6 * normal_x;
+  }
+  return volume;
+}
+
+MeshData mesh_data(const ObstacleMesh& mesh) {
+  MeshData data;
+  const double scale = mesh.extent / (2 * std::numbers::pi);
+  for (const Configuration& v : mesh.vertices) data.vertices.push_back({v.x, v.y, v.theta * scale});
+  for (const ObstacleTriangle& t : mesh.triangles) data.faces.push_back({t.vertices[0], t.vertices[1], t.vertices[2]});
+  return data;
+}
+
 namespace {
 
 using namespace cspace;

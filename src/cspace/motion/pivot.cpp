@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <optional>
+#include <vector>
 
+#include "cspace/boundary/free_position.h"
 #include "exact/rounding_bound.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 
@@ -266,4 +271,93 @@ Orientation Pivot::beside(const Orientation& theta, const ExactAngle& to, TurnDi
   return ahead ? orientation_between(from, nearest) : orientation_between(nearest, from);
 }
 
+namespace {
+
+// The robot at one position, turning: the angles at which it may stand there, single ones included. Exact.
+
+class FreeRotation {
+ public:
+  /// Requires: an obstacle that lives as long as this.
+  FreeRotation(const CspaceObstacle& obstacle, Point at);
+
+  /// The marks are those of CspaceObstacle::turn_marks, the angles those of Pivot; between two of them one orientation
+  /// decides what is free, at one with overlaps on both sides free_position does.
+  std::vector<TurnMark> marks();
+  std::vector<TurnMark> marks(const Orientation& from, const Orientation& to);
+
+ private:
+  bool is_free(const Orientation& theta) const { return !obstacle_.contains(at_.x, at_.y, theta); }
+  bool is_free_at(const ExactAngle& angle);
+
+  const CspaceObstacle& obstacle_;
+  Point at_;
+  Pivot pivot_;
+  std::shared_ptr<const OperandPair>
+      base_;  // with the position as a pair of further vertices; made when first requested
+  std::optional<TurningForms> forms_;
+};
+
+FreeRotation::FreeRotation(const CspaceObstacle& obstacle, Point at)
+    : obstacle_(obstacle), at_(at), pivot_(obstacle.robot(), obstacle.obstacle()) {
+  pivot_.stand({exact::exact_value(at.x), exact::exact_value(at.y)});
+}
+
+// What is free on one side of an angle is free at it: overlapping is open.
+std::vector<TurnMark> FreeRotation::marks() {
+  const std::vector<PivotEvent> events = pivot_.events();
+  const std::size_t n = events.size();
+  std::vector<TurnMark> marks;
+  for (std::size_t k = 0; k < n; ++k)
+    marks.push_back({event_angle(events[k].angle), false,
+                     is_free(orientation_between(events[k].angle, events[(k + 1) % n].angle))});
+  for (std::size_t k = 0; k < n; ++k)
+    marks[k].free = marks[(k + n - 1) % n].free_after || marks[k].free_after || is_free_at(events[k].angle);
+  return marks;
+}
+
+std::vector<TurnMark> FreeRotation::marks(const Orientation& from, const Orientation& to) {
+  const ExactAngle end = exact_angle(to);
+  std::vector<TurnMark> marks;
+  bool before = is_free(from);
+  const std::vector<PivotEvent> events = pivot_.on_way(from, to, TurnDirection::counter_clockwise);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const ExactAngle &angle = events[k].angle, &next = k + 1 < events.size() ? events[k + 1].angle : end;
+    const bool after = is_free(compare(angle, end) == 0 ? to : orientation_between(angle, next));
+    marks.push_back({event_angle(angle), before || after || is_free_at(angle), after});
+    before = after;
+  }
+  return marks;
+}
+
+bool FreeRotation::is_free_at(const ExactAngle& angle) {
+  if (!forms_) {
+    // Robot and obstacle touch at this angle: the position is no further than both reach, 2^402 at most, of 2^1000 that
+    // a pair takes; and a pair of any spread is never too wide.
+    base_ = pair_of_regions(obstacle_.obstacle(), obstacle_.robot(),
+                            {.moved = 1,
+                             .reflect_q = true,
+                             .further = {{{at_}, {Point{0, 0}}}},  // whose edges have no vertex there
+                             .spread = Spread::any})
+                .value();
+    forms_.emplace(*base_, 1);
+  }
+  ExactPosition position;
+  position.first.corner = {forms_->size(0), forms_->size(1)};
+  return planar::is_free(SignsAt(*forms_, angle), position);
+}
+
+}  // namespace
 }  // namespace dymsum::planar
+
+namespace dymsum {
+
+std::vector<TurnMark> CspaceObstacle::turn_marks(double x, double y) const {
+  return planar::FreeRotation(*this, {x, y}).marks();
+}
+
+std::vector<TurnMark> CspaceObstacle::turn_marks(double x, double y, const Orientation& from,
+                                                 const Orientation& to) const {
+  return planar::FreeRotation(*this, {x, y}).marks(from, to);
+}
+
+}  // namespace dymsum

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "cspace/motion/pose.h"
+#include "cspace/motion/motion_sweep.h"
 #include "cspace/motion/slice_map.h"
 #include "dymsum/motion.h"
-#include "planar/motion/exact_angle.h"
+#include "planar/motion/orientation.h"
 #include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/rational_order.h"
+#include "exact/big.h"
 #include "exact/rounding_bound.h"
 
 namespace dymsum::planar {

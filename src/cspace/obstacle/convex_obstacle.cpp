@@ -8,7 +8,7 @@
 #include "base/memory_budget.h"
 #include "base/poll.h"
 #include "exact/rounding_bound.h"
-#include "planar/motion/exact_angle.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum::planar {
 namespace {

@@ -1,25 +1,233 @@
 #include "dymsum/cspace_obstacle.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <thread>
 #include <tuple>
 #include <utility>
+#include <vector>
 
-#include "base/stopwatch.h"
-#include "base/within_memory.h"
-#include "cspace/boundary/patch_slabs.h"
-#include "cspace/events/walk_indices.h"
+#include "base/memory_budget.h"
+#include "base/parallel.h"
+#include "base/poll.h"
+#include "cspace/boundary/obstacle_state.h"
 #include "cspace/events/walked_rings.h"
 #include "cspace/obstacle/convex_obstacle.h"
-#include "cspace/obstacle/general_obstacle.h"
-#include "cspace/obstacle/obstacle_start.h"
-#include "cspace/obstacle/point_passage.h"
+#include "cspace/obstacle/event_windows.h"
+#include "cspace/obstacle/obstacle_export.h"
+#include "cspace/obstacle/obstacle_sweep.h"
+#include "dymsum/region.h"
+#include "exact/orient.h"
 #include "planar/boundary/collision.h"
-#include "planar/motion/exact_angle.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/sum/placed_sum.h"
+#include "planar/motion/orientation.h"
+#include "planar/sum/minkowski_sum.h"
+
+namespace dymsum::planar {
+namespace {
+
+// Passages through a point: where rings touch, a straight wire may pass between them, through a point: without
+// clearance, but turning and sliding.
+
+/// The direction from z to a point, or the opposite one.
+struct SectorEnd {
+  Point to;
+  bool opposite = false;
+};
+
+struct Sector {
+  SectorEnd from, to;  ///< counter-clockwise
+};
+
+class Around {
+ public:
+  explicit Around(Point z) : z_(z) {}
+
+  bool passable(const Region& region) const {
+    const std::vector<Sector> free = free_sectors(region);
+    for (std::size_t i = 0; i < free.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Sector opposite{{free[j].from.to, true}, {free[j].to.to, true}};
+        if (starts_in(free[i].from, opposite) || starts_in(opposite.from, free[i])) return true;
+      }
+    return false;
+  }
+
+ private:
+  struct Ray {
+    Point to;
+    bool out;  // along a ring, which has the region on its left
+  };
+
+  // What is filled lies counter-clockwise from a ring's way out to its way in.
+  std::vector<Sector> free_sectors(const Region& region) const {
+    std::vector<Ray> rays;
+    const auto add = [&](const Ring& ring) {
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Point a = ring[k], b = ring[(k + 1) % ring.size()];
+        if (a == z_ || inside_edge(a, b)) rays.push_back({b, true});
+        if (b == z_ || inside_edge(a, b)) rays.push_back({a, false});
+      }
+    };
+    for (const Part& part : region.parts()) {
+      add(part.outer);
+      for (const Ring& hole : part.holes) add(hole);
+    }
+    const auto half = [&](Point p) { return p.y > z_.y || (p.y == z_.y && p.x > z_.x) ? 0 : 1; };
+    std::sort(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) {
+      return half(a.to) != half(b.to) ? half(a.to) < half(b.to) : exact::orient_sign(z_, a.to, b.to) > 0;
+    });
+    std::vector<Sector> free;
+    for (std::size_t k = 0; k < rays.size(); ++k)
+      if (!rays[k].out) free.push_back({{rays[k].to}, {rays[(k + 1) % rays.size()].to}});
+    return free;
+  }
+  bool inside_edge(Point a, Point b) const {
+    if (z_.x < std::min(a.x, b.x) || z_.x > std::max(a.x, b.x) || z_.y < std::min(a.y, b.y) ||
+        z_.y > std::max(a.y, b.y))
+      return false;
+    return z_ != a && z_ != b && exact::orient_sign(a, b, z_) == 0;
+  }
+
+  int cross(const SectorEnd& a, const SectorEnd& b) const {
+    return exact::orient_sign(z_, a.to, b.to) * (a.opposite == b.opposite ? 1 : -1);
+  }
+  bool ahead(const SectorEnd& a) const { return (a.to.x != z_.x ? a.to.x > z_.x : a.to.y > z_.y) != a.opposite; }
+  // Counter-clockwise from a to b: 0 for no turn, 1 for less than a half one, 2 for a half one, 3 for more.
+  int turn(const SectorEnd& a, const SectorEnd& b) const {
+    const int c = cross(a, b);
+    return c != 0 ? (c > 0 ? 1 : 3) : ahead(a) == ahead(b) ? 0 : 2;
+  }
+  // Whether u is in [from, to).
+  bool starts_in(const SectorEnd& u, const Sector& s) const {
+    const int a = turn(s.from, u), b = turn(s.from, s.to);
+    return a != b ? a < b : (a == 1 || a == 3) && cross(u, s.to) > 0;
+  }
+
+  Point z_;
+};
+
+/// A touching point of a region through which straight lines of a whole range of directions pass without meeting its
+/// interior on the way: they enter by one of the free sectors there and leave by another one. None where each free
+/// sector lies opposite to a filled one, as where a vertex touches the midpoint of an edge. Exact. O(n) per touching
+/// point.
+std::optional<Point> point_passage(const Region& region) {
+  for (const Point& z : region.touching_points())
+    if (Around(z).passable(region)) return z;
+  return std::nullopt;
+}
+
+// The obstacle of any two regions: windows of angles, their events, and the sweep over them.
+
+void count(const PreparedWindow& p, ObstacleWork& work) {
+  ++work.windows;
+  work.segments += p.window->segments.size();
+  work.candidate_pairs += p.found.pairs;
+  work.candidate_triples += p.found.triples;
+  work.potential_events += p.found.events.size();
+}
+
+/// Queries whether to go on, on the thread that made it, and stops on the others too.
+class RotationPoll {
+ public:
+  explicit RotationPoll(const Progress& progress) : progress_(progress) {}
+  void at(double fraction) { fraction_ = fraction; }
+  void operator()() {
+    if (std::this_thread::get_id() == caller_ && progress_ && !progress_("angles", fraction_)) stop_ = true;
+    if (stop_.load(std::memory_order_relaxed)) throw Cancelled{};
+  }
+
+ private:
+  const Progress& progress_;
+  const std::thread::id caller_ = std::this_thread::get_id();
+  double fraction_ = 0;
+  std::atomic<bool> stop_{false};
+};
+
+// Ranges are prepared side by side, some at a time, and passed one after the other. Throws Cancelled.
+void pass_turn(const EventWindows& windows, ObstacleSweep& sweep, RotationPoll& poll,
+               const std::function<void()>& again) {
+  constexpr int kAtATime = 16;
+  std::vector<std::vector<PreparedWindow>> some(kAtATime);
+  bool started = false, halved = false;
+  for (int first = 0; first < windows.count(); first += kAtATime) {
+    poll.at(static_cast<double>(first) / windows.count());
+    again();
+    const int last = std::min(windows.count(), first + kAtATime);
+    base::parallel_parts(static_cast<std::size_t>(last - first), 0, [&](std::size_t k) {
+      const bool at_once = halved && k > 0;
+      some[k] = windows.prepare(first + static_cast<int>(k),
+                                at_once ? EventWindows::Halved::always : EventWindows::Halved::where_crowded, again);
+    });
+    // Where all of some ranges had to be halved the next ones will have to be as well; their first one is asked.
+    halved = std::all_of(some.begin(), some.begin() + (last - first),
+                         [](const std::vector<PreparedWindow>& parts) { return parts.size() > 1; });
+    for (int k = 0; k < last - first; ++k)
+      for (PreparedWindow& p : some[static_cast<std::size_t>(k)]) {
+        count(p, sweep.work());
+        if (!started) sweep.start(p.range, p.found, *p.filter);
+        started = true;
+        sweep.pass(p.range, std::move(p.found), *p.filter, p.at_end);
+      }
+    if (last == windows.count()) sweep.close(*some[static_cast<std::size_t>(last - first - 1)].back().filter);
+  }
+}
+
+std::uint64_t surfaces(const TurningForms& forms, const RotationCatalog& catalog) {
+  std::uint64_t n = 0;
+  for (std::uint32_t side = 0; side < 2; ++side)
+    for (std::uint32_t e = 0; e < forms.size(side); ++e)
+      for (std::uint32_t v = 0; v < forms.size(1 - side); ++v) n += catalog.may_exist({side, e, v});
+  return n;
+}
+
+/// Fills everything but robot, obstacle and base, which are set. Errors: cancelled; unsupported_operand for
+/// regions that touch themselves.
+Result<void> general_obstacle(planar::ObstacleState& state, const ObstacleOptions& options) {
+  const bool touching = !state.robot.touching_points().empty() || !state.obstacle.touching_points().empty();
+  const std::shared_ptr<const OperandPair> base = touching ? numbered_by_walk(*state.base) : state.base;
+  const TurningForms forms(*base);
+  const RotationCatalog catalog(forms);
+  if (static_cast<double>(forms.size(0)) * forms.size(1) > 0x1p27)
+    return Error{ErrorCode::unsupported_operand, "more than 2^27 pairs of vertices", {}};
+  RotationPoll poll(options.progress);
+  const std::function<void()> again = [&] { poll(); };
+  ObstacleSweep sweep(forms, catalog, base, options.reference, again);
+  // It names contacts as regions do, and knows no pieces without area.
+  if (!touching && !options.reference) {
+    PlanarLocalOptions near_events;  // boxes lie anywhere: nothing of the last one is near the next one
+    near_events.engine = LocalEngine::hierarchy;
+    if (Result<PlanarLocalSum> near = PlanarLocalSum::create(state.obstacle, state.robot, near_events))
+      sweep.use(*std::move(near));
+  }
+  try {
+    pass_turn(EventWindows(forms, catalog, options.reference), sweep, poll, again);
+  } catch (const Cancelled&) {
+    return cancelled();
+  }
+  const SweptBoundary& found = sweep.found();
+  export_obstacle(found, forms, state);
+  state.always_concurrent = found.always_concurrent;
+  state.work = found.work;
+  state.work.surfaces = surfaces(forms, catalog);
+  for (const ObstacleEvent& e : found.events) {
+    state.work.alignments += e.kind == ObstacleEvent::Kind::alignment;
+    state.work.vertex_events += e.kind == ObstacleEvent::Kind::vertex_on_segment;
+    state.work.triple_events += e.kind == ObstacleEvent::Kind::three_segments;
+    state.work.tight_events += e.kind == ObstacleEvent::Kind::tight;
+  }
+  state.work.visible_events = found.events.size();
+  return {};
+}
+
+}  // namespace
+}  // namespace dymsum::planar
 
 namespace dymsum {
 namespace {

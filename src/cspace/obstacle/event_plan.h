@@ -3,11 +3,57 @@
 // guess.
 #pragma once
 
-#include "cspace/events/event_position.h"
-#include "cspace/obstacle/sweep_scene.h"
+#include <optional>
+#include <vector>
+
+#include "cspace/boundary/boundary_graph.h"
+#include "cspace/events/crossing_orders.h"
+#include "cspace/events/exact_position.h"
+#include "cspace/events/rotation_events.h"
 #include "exact/rounding_bound.h"
+#include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {
+
+// What the stages at one angle of the sweep read: the pair, the boundary before the angle, and the angle itself.
+
+struct SweepScene {
+  const TurningForms& forms;
+  const RotationCatalog& catalog;
+  const BoundaryGraph& graph;
+};
+
+/// An angle in doubles, and exactly once its signs are requested.
+class AngleNow {
+ public:
+  explicit AngleNow(const TurningForms& forms) : forms_(forms) {}
+  /// `crowded`: null unless it is a crowded quarter turn.
+  void begin(double theta, const QuarterTurn* crowded) {
+    theta_ = theta;
+    crowded_ = crowded;
+    exact_.reset();
+    signs_.reset();
+  }
+  void set_exact(ExactAngle angle, double theta) {
+    theta_ = theta;
+    exact_ = std::move(angle);
+  }
+  double theta() const { return theta_; }
+  Heading heading() const { return Heading::of(theta_); }
+  const QuarterTurn* crowded() const { return crowded_; }
+  /// Requires set_exact().
+  const SignsAt& signs() const {
+    if (!signs_) signs_.emplace(forms_, exact_.value());
+    return *signs_;
+  }
+
+ private:
+  const TurningForms& forms_;
+  double theta_ = 0;
+  const QuarterTurn* crowded_ = nullptr;
+  std::optional<ExactAngle> exact_;
+  mutable std::optional<SignsAt> signs_;
+};
 
 /// The error of a position on a segment beside the fraction's, in each coordinate, is this times the span: a position
 /// (16), a direction (19), product and sum.
@@ -59,5 +105,17 @@ EventPlan plan_meeting(RotationEvent& event, const RotationRange& range, const S
 /// That of the event's kind.
 EventPlan plan_event(RotationEvent& event, const RotationRange& range, const SweepScene& scene,
                      const OverlapFilter& filter);
+
+// Events at one angle by what they change: each changes the boundary around its own position only, so that events at
+// different positions are handled one by one even if a segment takes part in several of them.
+
+/// Events at one angle, or some of them.
+using EventGroup = std::vector<RotationEvent*>;
+
+/// Segments that take part in an event, by index, and perhaps some that only nearly do.
+std::vector<std::uint32_t> segments_of(const RotationEvent& event, const SweepScene& scene);
+
+/// Parts that share no segment, or only at positions that are apart.
+std::vector<EventGroup> clusters(const EventGroup& group, const SweepScene& scene);
 
 }  // namespace dymsum::planar

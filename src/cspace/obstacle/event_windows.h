@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "cspace/events/crossing_orders.h"
 #include "cspace/events/near_angle.h"
-#include "cspace/events/quarter_turn.h"
 
 namespace dymsum::planar {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "cspace/obstacle/shared_lines.h"
+#include "cspace/obstacle/slice_reader.h"
 
 namespace dymsum::planar {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cspace/boundary/boundary_graph.h"
-#include "cspace/obstacle/event_clusters.h"
+#include "cspace/obstacle/event_plan.h"
 #include "cspace/obstacle/slice_reader.h"
 #include "dymsum/planar_local_sum.h"
 

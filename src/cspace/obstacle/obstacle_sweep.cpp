@@ -5,8 +5,7 @@
 
 #include "cspace/boundary/limit_boundary.h"
 #include "cspace/obstacle/event_plan.h"
-#include "cspace/obstacle/shared_lines.h"
-#include "cspace/obstacle/tight_curves.h"
+#include "cspace/obstacle/slice_reader.h"
 #include "cspace/obstacle/tight_events.h"
 #include "planar/motion/orientation.h"
 

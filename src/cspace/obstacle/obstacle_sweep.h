@@ -10,12 +10,11 @@
 #include <optional>
 #include <vector>
 
-#include "cspace/obstacle/event_clusters.h"
 #include "cspace/obstacle/event_plan.h"
 #include "cspace/obstacle/near_slice.h"
+#include "cspace/obstacle/obstacle_export.h"
 #include "cspace/obstacle/slice_reader.h"
-#include "cspace/obstacle/swept_boundary.h"
-#include "cspace/obstacle/tight_positions.h"
+#include "cspace/obstacle/tight_events.h"
 
 namespace dymsum::planar {
 

@@ -1,11 +1,14 @@
-// Static slices in the sweep's terms: contacts as segments, loops, and which loops of free space belong together.
+// Static slices in the sweep's terms: contacts as segments, loops, which loops of free space belong together, and
+// what lies on one line before and after.
 #pragma once
 
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "cspace/boundary/slice_difference.h"
+#include "cspace/boundary/boundary_graph.h"
+#include "cspace/obstacle/event_plan.h"
 #include "dymsum/orientation.h"
 
 namespace dymsum::planar {
@@ -41,5 +44,52 @@ class SliceReader {
   SegmentIndex index_;
   std::array<std::vector<std::uint32_t>, 2> walk_vertex_, walk_edge_;  // by index in the region
 };
+
+// Sub-edges that come onto one line at an angle: what goes on along a line after the angle, and passages that are shut
+// at the angle only. Exact at that angle, which is algebraic.
+
+class SharedLines {
+ public:
+  /// `before`: the boundary before the angle.
+  SharedLines(const TurningForms& forms, const AngleNow& now, std::vector<SubEdge> before);
+
+  /// All pairs, by index, of a sub-edge that ended and a new one that have an interval of a line in common at the
+  /// angle.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> continued(const std::vector<SubEdge>& ended,
+                                                                 const std::vector<SubEdge>& fresh) const;
+  /// Whether nothing of the interval that sub-edges of one line share borders on a face at the angle: it has no length,
+  /// or walls of the other direction cover it, from before the angle. (What is covered from before is covered at the
+  /// angle, hence from after.) Both walls of a passage come onto one line there, or a loop shrinks to a point, and
+  /// they part again. Touching is no connection: what lies before that angle and what lies after it are two.
+  bool shut(std::span<const SubEdge> edges) const;
+
+ private:
+  /// An interval in fractions of the length of a line's segment, from its start, in doubles.
+  struct Interval {
+    double from = 0, to = 0, error = 0;
+    auto operator<=>(const Interval&) const = default;
+  };
+  using ByOffset = std::vector<std::pair<double, std::uint32_t>>;
+  double offset(const SubEdge& e) const;
+  ByOffset by_offset(const std::vector<SubEdge>& edges) const;
+  template <class F>
+  void for_each_near(const ByOffset& lines, double offset, F&& f) const;
+  bool have_common_interval(const SubEdge& n, const SubEdge& m) const;
+  bool collinear(const WalkSegment& s, const WalkSegment& t) const;
+  double cosine(const WalkSegment& s, const WalkSegment& t) const;
+  Interval interval_on(const WalkSegment& line, const SubEdge& e) const;
+  std::vector<SubEdge> opposite_walls(const SubEdge& e) const;
+  bool covered_exactly(std::span<const SubEdge> edges, const std::vector<SubEdge>& walls) const;
+
+  const TurningForms& forms_;
+  const AngleNow& now_;
+  Heading heading_;
+  std::vector<SubEdge> before_;
+  ByOffset lines_before_;
+};
+
+/// Matches in a slice's edit what ends and what begins, where they go on along one line, or touch in a passage that is
+/// shut.
+void match_along_lines(const BoundaryGraph& graph, const SharedLines& lines, SliceEdit& edit);
 
 }  // namespace dymsum::planar

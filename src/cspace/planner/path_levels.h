@@ -2,17 +2,36 @@
 #pragma once
 
 #include <array>
+#include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/memory_budget.h"
+#include "cspace/boundary/boundary_graph.h"
 #include "cspace/motion/pivot.h"
 #include "cspace/planner/slice_graph.h"
 #include "dymsum/planner.h"
+#include "dymsum/progress.h"
 
 namespace dymsum::planar {
+
+// How long a search goes on.
+
+enum class SearchStop : std::uint8_t { none, cancelled, out_of_time };
+
+struct SearchLimits {
+  std::chrono::steady_clock::time_point deadline;
+  Progress progress;
+
+  /// The search queries it between two steps.
+  SearchStop query() const {
+    if (progress && !progress("search", 0)) return SearchStop::cancelled;
+    return std::chrono::steady_clock::now() > deadline ? SearchStop::out_of_time : SearchStop::none;
+  }
+};
 
 /// A cell, or an edge, that is not known.
 inline constexpr std::uint32_t kUnknown = SliceMap::kNone;
@@ -89,5 +108,26 @@ class PathLevels {
   Pivot pivot_;
   std::uint64_t slices_ = 0;
 };
+
+// The components of free space that belong together, and what there is to say about one.
+
+/// Components that touching joins, at first single ones.
+class JoinedComponents {
+ public:
+  explicit JoinedComponents(const CspaceObstacle& obstacle);
+  std::uint32_t root(std::uint32_t component) const { return classes_.find(component); }
+  /// Joins what touches in a slice at a rational event angle, and before and after an angle at which a passage is
+  /// shut. What it was stopped by, if it was.
+  SearchStop join_touching(const CspaceObstacle& obstacle, PathLevels& levels, const SearchLimits& limits);
+
+ private:
+  Partition classes_;
+};
+
+FreeComponent described(const CspaceObstacle& obstacle, std::uint32_t component);
+/// "component 2, with angles from -20 to 30 degrees, enclosed by shell 1"
+std::string text_of(const FreeComponent& component);
+/// "the time limit of 60 s was reached between 44.1 and 44.2 degrees near (1, 2)"
+std::string text_of(const SearchLimit& limit);
 
 }  // namespace dymsum::planar

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "base/double_text.h"
+#include "base/memory_budget.h"
 #include "base/poll.h"
-#include "base/within_memory.h"
+#include "cspace/boundary/obstacle_state.h"
 #include "cspace/events/walked_rings.h"
-#include "cspace/obstacle/obstacle_start.h"
-#include "cspace/planner/free_components.h"
+#include "cspace/planner/path_levels.h"
 #include "cspace/planner/path_points.h"
 #include "cspace/planner/path_search.h"
 

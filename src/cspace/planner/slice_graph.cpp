@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "exact/rational_order.h"
+#include "exact/big.h"
 #include "exact/rounding_bound.h"
 
 namespace dymsum::planar {

@@ -1,6 +1,6 @@
 // Stands for read_3mf.cpp and write_3mf.cpp where there are no archives, without which nothing in them is reached.
 #include "io/archive.h"
-#include "io/mesh/mesh_readers.h"
+#include "io/mesh/mesh_files.h"
 
 namespace dymsum::io {
 

@@ -15,10 +15,8 @@
 #include <pugixml.hpp>
 
 #include "io/archive.h"
-#include "io/mesh/mesh_readers.h"
-#include "io/mesh/transform3.h"
-#include "io/number_text.h"
-#include "io/words.h"
+#include "io/mesh/mesh_files.h"
+#include "io/source.h"
 
 namespace dymsum::io {
 

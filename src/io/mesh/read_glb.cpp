@@ -15,8 +15,7 @@
 
 #include "io/archive.h"
 #include "io/bytes.h"
-#include "io/mesh/mesh_readers.h"
-#include "io/mesh/transform3.h"
+#include "io/mesh/mesh_files.h"
 
 namespace dymsum::io {
 

@@ -8,10 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh/face_edges.h"
-#include "io/mesh/mesh_readers.h"
-#include "io/number_text.h"
-#include "io/words.h"
+#include "io/mesh/mesh_files.h"
+#include "io/source.h"
 
 namespace dymsum::io {
 

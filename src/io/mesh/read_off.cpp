@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "io/mesh/mesh_readers.h"
-#include "io/number_text.h"
-#include "io/words.h"
+#include "io/mesh/mesh_files.h"
+#include "io/source.h"
 
 namespace dymsum::io {
 

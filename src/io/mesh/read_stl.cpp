@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "io/bytes.h"
-#include "io/mesh/mesh_readers.h"
-#include "io/plain_text.h"
-#include "io/words.h"
-#include "spatial/mesh/equal_positions.h"
+#include "io/mesh/mesh_files.h"
+#include "io/read_file.h"
+#include "io/source.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::io {
 

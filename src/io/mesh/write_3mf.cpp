@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "io/archive.h"
-#include "io/mesh/mesh_readers.h"
-#include "io/number_text.h"
+#include "io/mesh/mesh_files.h"
+#include "io/source.h"
 #include "spatial/mesh/triangulate.h"
 
 namespace dymsum::io {

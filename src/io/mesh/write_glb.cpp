@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "io/bytes.h"
-#include "io/mesh/mesh_readers.h"
+#include "io/mesh/mesh_files.h"
 #include "spatial/mesh/triangulate.h"
 
 namespace dymsum::io {

@@ -5,10 +5,9 @@
 #include <limits>
 
 #include "io/bytes.h"
-#include "io/mesh/face_edges.h"
-#include "io/mesh/mesh_readers.h"
-#include "io/number_text.h"
-#include "spatial/mesh/face_plane.h"
+#include "io/mesh/mesh_files.h"
+#include "io/source.h"
+#include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/triangulate.h"
 
 namespace dymsum::io {

@@ -6,7 +6,7 @@
 
 #include "dymsum/solid_sum_io.h"
 #include "dymsum/volume_text.h"
-#include "io/number_text.h"
+#include "io/source.h"
 
 namespace dymsum {
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "dymsum/growing_disc.h"
-#include "io/number_text.h"
 #include "io/picture/picture.h"
+#include "io/source.h"
 
 namespace dymsum {
 

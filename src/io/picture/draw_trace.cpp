@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "dymsum/region_io.h"
-#include "io/number_text.h"
 #include "io/picture/picture.h"
+#include "io/source.h"
 
 namespace dymsum {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "dymsum/snap_rounding.h"
-#include "io/number_text.h"
-#include "planar/position/nearest_point.h"
+#include "io/source.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::io {
 

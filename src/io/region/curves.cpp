@@ -3,10 +3,85 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <utility>
 
 namespace dymsum::io {
+
+PlaneTransform PlaneTransform::after(const PlaneTransform& inner) const {
+  if (identity()) return inner;
+  if (inner.identity()) return *this;
+  return {a * inner.a + c * inner.b, b * inner.a + d * inner.b,     a * inner.c + c * inner.d,
+          b * inner.c + d * inner.d, a * inner.e + c * inner.f + e, b * inner.e + d * inner.f + f};
+}
+
+Point PlaneTransform::apply(Point p) const {
+  if (identity()) return p;
+  return {a * p.x + c * p.y + e, b * p.x + d * p.y + f};
+}
+
+Point PlaneTransform::apply_vector(Point v) const {
+  if (identity()) return v;
+  return {a * v.x + c * v.y, b * v.x + d * v.y};
+}
+
+namespace {
+
+constexpr double kRadian = std::numbers::pi / 180;
+
+/// The angle in [0, 360), exactly.
+double within_a_turn(double degrees) {
+  const double rest = std::fmod(degrees, 360.0);
+  return rest < 0 ? rest + 360 : rest;
+}
+
+}  // namespace
+
+Point direction(double degrees) {
+  const double angle = within_a_turn(degrees);
+  if (angle == 0 || angle == 360) return {1, 0};
+  if (angle == 90) return {0, 1};
+  if (angle == 180) return {-1, 0};
+  if (angle == 270) return {0, -1};
+  return {std::cos(angle * kRadian), std::sin(angle * kRadian)};
+}
+
+Point on_circle(Point centre, double radius, double degrees) {
+  const Point d = direction(degrees);
+  return {centre.x + radius * d.x, centre.y + radius * d.y};
+}
+
+// The centre lies on the chord's bisector, (1 / b - b) / 4 chords to its left.
+EllipseArc bulge_arc(Point from, Point to, double b) {
+  const double dx = to.x - from.x, dy = to.y - from.y, height = (1 / b - b) / 4;
+  const Point u{dy * height - dx / 2, -dx * height - dy / 2};
+  return {from, u, {-u.y, u.x}, 4 * std::atan(b)};
+}
+
+std::optional<EllipseArc> degree_arc(Point centre, double radius, double from_degrees, double to_degrees) {
+  const double from = within_a_turn(from_degrees);
+  double sweep = within_a_turn(to_degrees) - from;
+  if (sweep == 0) return std::nullopt;
+  if (sweep < 0) sweep += 360;
+  const Point d = direction(from);
+  const Point u{radius * d.x, radius * d.y};
+  return EllipseArc{on_circle(centre, radius, from), u, {-u.y, u.x}, sweep * kRadian};
+}
+
+ChordChain ellipse_ring(Point centre, Point u, Point v, const CurveOptions& options) {
+  const Point axes[] = {u, v, {-u.x, -u.y}, {-v.x, -v.y}};
+  ChordChain ring;
+  ring.add({centre.x + u.x, centre.y + u.y});
+  for (int k = 0; k < 4; ++k) {
+    const Point from = axes[k], to = axes[(k + 1) % 4];
+    append_arc(ring, {ring.back(), from, to, std::numbers::pi / 2}, {centre.x + to.x, centre.y + to.y}, options);
+  }
+  ring.pop_back();
+  ring.curves = 1;
+  return ring;
+}
+
 namespace {
 
 constexpr double kMostChords = 1e6;  // of a curve
@@ -290,6 +365,73 @@ const char* text_of(const CurveFailure& failure) {
   return failure.trouble == CurveTrouble::too_many_chords
              ? "a curve would have more than 1000000 chords: the error of curves is too small for it"
              : "a curve leaves the range of doubles";
+}
+
+namespace {
+
+/// The version of a chain for a ring that has the region on its left, and is the chain or its reverse.
+Ring version_of(ChordChain chain, const Ring& ring, CurveBound bound) {
+  if (chain.curves == 0 || bound == CurveBound::nearest) return ring;
+  if (chain.on != ring) {  // the first vertex of a ring stays first
+    chain.reverse();
+    for (std::vector<Point>* version : {&chain.on, &chain.left, &chain.right})
+      std::rotate(version->begin(), version->end() - 1, version->end());
+  }
+  return bound == CurveBound::inside ? chain.left : chain.right;
+}
+
+/// Chains by their first vertices.
+class ChainsOfRings {
+ public:
+  explicit ChainsOfRings(std::vector<ChordChain> chains) : chains_(std::move(chains)) {
+    for (std::size_t k = 0; k < chains_.size(); ++k)
+      starts_.emplace(std::pair(chains_[k].front().x, chains_[k].front().y), k);
+  }
+
+  Ring version(const Ring& ring, CurveBound bound) const {
+    const auto [first, last] = starts_.equal_range({ring.front().x, ring.front().y});
+    for (auto it = first; it != last; ++it) {
+      const ChordChain& chain = chains_[it->second];
+      const bool reversed = chain.on.size() == ring.size() &&
+                            std::equal(chain.on.begin() + 1, chain.on.end(), std::make_reverse_iterator(ring.end()));
+      if (chain.on == ring || reversed) return version_of(chain, ring, bound);
+    }
+    return ring;
+  }
+
+ private:
+  std::vector<ChordChain> chains_;
+  std::multimap<std::pair<double, double>, std::size_t> starts_;
+};
+
+}  // namespace
+
+bool nest_chains(std::vector<ChordChain> chains, std::vector<Part>& parts, CurveBound bound, FillRule rule) {
+  std::erase_if(chains, [](const ChordChain& chain) { return chain.empty(); });
+  std::vector<Ring> rings;
+  for (const ChordChain& chain : chains) rings.push_back(chain.on);
+  std::vector<Part> nested;
+  if (!nest_rings(std::move(rings), nested, rule)) return false;
+  if (bound != CurveBound::nearest) {
+    const ChainsOfRings known(std::move(chains));
+    for (Part& part : nested) {
+      part.outer = known.version(part.outer, bound);
+      for (Ring& hole : part.holes) hole = known.version(hole, bound);
+    }
+  }
+  std::move(nested.begin(), nested.end(), std::back_inserter(parts));
+  return true;
+}
+
+Part part_of_chains(std::vector<ChordChain> rings, CurveBound bound) {
+  Part part;
+  for (std::size_t k = 0; k < rings.size(); ++k) (k == 0 ? part.outer : part.holes.emplace_back()) = rings[k].on;
+  orient_rings(part);
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    Ring& ring = k == 0 ? part.outer : part.holes[k - 1];
+    if (!ring.empty()) ring = version_of(std::move(rings[k]), ring, bound);
+  }
+  return part;
 }
 
 }  // namespace dymsum::io

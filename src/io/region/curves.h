@@ -2,12 +2,29 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "dymsum/read_options.h"
 #include "dymsum/region.h"
+#include "io/region/ring_order.h"
 
 namespace dymsum::io {
+
+// Affine maps of drawings, in doubles.
+
+/// (x, y) -> (a x + c y + e, b x + d y + f).
+struct PlaneTransform {
+  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+
+  bool identity() const { return a == 1 && b == 0 && c == 0 && d == 1 && e == 0 && f == 0; }
+  /// This after `inner`.
+  PlaneTransform after(const PlaneTransform& inner) const;
+  /// Coordinates are rounded as they are computed, except under the identity, and infinite past the double range.
+  Point apply(Point p) const;
+  /// The image of a vector: without e and f.
+  Point apply_vector(Point v) const;
+};
 
 /// A chain of chords in its three versions, which begin and end in the same vertices: with its vertices on the curves,
 /// and those that lie on the left and on the right of every curve. Without curves the three are equal.
@@ -88,5 +105,39 @@ struct CurveFailure {
 
 /// What is wrong, for messages.
 const char* text_of(const CurveFailure& failure);
+
+// Arcs as DXF has them: by angles in degrees, and by bulges.
+
+/// Ends of lines and arcs that differ by at most this fraction of an arc's radius are one: the angles of arcs are
+/// rounded in files, and where an arc ends is rounded here.
+inline constexpr double kArcJoint = 1e-6;
+
+/// The arc from `from` to `to` with the bulge b = tan(angle / 4), counter-clockwise for b > 0; both ends lie on it but
+/// for rounding. Requires: b finite and not 0, from and to different.
+EllipseArc bulge_arc(Point from, Point to, double b);
+
+/// The arc of a circle, counter-clockwise from one angle to another one, in degrees. Nothing where both are the same
+/// direction.
+std::optional<EllipseArc> degree_arc(Point centre, double radius, double from_degrees, double to_degrees);
+
+/// (cos, sin) of an angle in degrees, exact at multiples of 90.
+Point direction(double degrees);
+
+/// The point of a circle in that direction.
+Point on_circle(Point centre, double radius, double degrees);
+
+/// All of an ellipse from the end of its first half axis on, once around: four arcs, which end exactly where the half
+/// axes do but for one rounding.
+ChordChain ellipse_ring(Point centre, Point u, Point v, const CurveOptions& options);
+
+// Rings with curves, nested, and on one side of their curves.
+
+/// Nests closed chains, whose last vertices are not repeated, as nest_rings does by their vertices on the curves; then
+/// every ring is the version of its chain inside of the region, or outside, as `bound` says. False as nest_rings.
+bool nest_chains(std::vector<ChordChain> chains, std::vector<Part>& parts, CurveBound bound,
+                 FillRule rule = FillRule::even_odd);
+
+/// The versions of rings of one part, the outer one first, as `bound` says; the part is oriented.
+Part part_of_chains(std::vector<ChordChain> rings, CurveBound bound);
 
 }  // namespace dymsum::io

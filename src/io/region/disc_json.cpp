@@ -2,7 +2,7 @@
 #include <string>
 
 #include "dymsum/growing_disc.h"
-#include "io/number_text.h"
+#include "io/source.h"
 
 namespace dymsum {
 

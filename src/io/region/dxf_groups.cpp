@@ -5,9 +5,11 @@
 #include <cmath>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "dymsum/region_io.h"
-#include "io/number_text.h"
+#include "io/region/curves.h"
+#include "io/source.h"
 
 namespace dymsum::io {
 namespace {
@@ -117,3 +119,118 @@ bool dymsum::begins_like_dxf(std::string_view text) {
   if (code == "0") return value == "SECTION";
   return code == "999" && !value.empty() && !io::is_digit(value[0]) && value[0] != '#';
 }
+
+namespace dymsum::io {
+namespace {
+
+/// No bulge, nothing hidden, rings closed and lines open.
+bool is_own_polyline(const Source& source, const DxfEntity& entity) {
+  const std::string_view layer = dxf_layer(entity);
+  const bool line = layer == kDxfLine;
+  const DxfGroup* const flags = entity.find(70);
+  return (line || layer == kDxfOuter || layer == kDxfHole) && flags != nullptr &&
+         dxf_flags(source, *flags) == (line ? 0 : 1) && entity.find(10) != nullptr && entity.find(42) == nullptr;
+}
+
+bool is_own_entity(const Source& source, const DxfEntity& entity) {
+  if (entity.find(60) != nullptr || entity.find(67) != nullptr) return false;
+  if (entity.kind == "POINT") return dxf_layer(entity) == kDxfPoint;
+  return entity.kind == "LWPOLYLINE" && is_own_polyline(source, entity);
+}
+
+}  // namespace
+
+std::string without_case(std::string_view name) {
+  std::string text(name);
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+std::string_view dxf_layer(const DxfEntity& entity) {
+  const DxfGroup* const layer = entity.find(8);
+  return layer == nullptr ? "0" : layer->value;
+}
+
+DxfHiddenLayers::DxfHiddenLayers(const Source& source, const std::vector<DxfGroup>& groups) {
+  for (const DxfEntity& layer : dxf_entities(source, groups, "TABLES")) {
+    const DxfGroup* const name = layer.find(2);
+    if (layer.kind != "LAYER" || name == nullptr) continue;
+    const DxfGroup *const colour = layer.find(62), *const flags = layer.find(70);
+    const bool off = colour != nullptr && dxf_number(source, *colour) < 0;
+    const bool frozen = flags != nullptr && (dxf_flags(source, *flags) & 1) != 0;
+    if (off || frozen) names_.insert(without_case(name->value));
+  }
+}
+
+bool DxfHiddenLayers::contains(std::string_view layer) const {
+  return !names_.empty() && names_.count(without_case(layer)) > 0;
+}
+
+bool is_own_dxf(const Source& source, const std::vector<DxfGroup>& groups, const std::vector<DxfEntity>& entities) {
+  if (groups.empty() || groups.front().code != 999 || groups.front().value != kDxfOwn) return false;
+  bool outer = false;
+  for (const DxfEntity& entity : entities) {
+    outer = outer || dxf_layer(entity) == kDxfOuter;
+    if (!is_own_entity(source, entity) || (!outer && dxf_layer(entity) == kDxfHole)) return false;
+  }
+  return dxf_entities(source, groups, "TABLES").empty();
+}
+
+namespace {
+
+constexpr int kMostCopies = 10000;  // of one INSERT
+
+double number_or(const Source& source, const DxfEntity& entity, int code, double otherwise) {
+  const DxfGroup* const group = entity.find(code);
+  return group == nullptr ? otherwise : dxf_number(source, *group);
+}
+
+int count_or_one(const Source& source, const DxfEntity& insert, int code) {
+  const DxfGroup* const group = insert.find(code);
+  const int count = group == nullptr ? 1 : dxf_flags(source, *group);
+  if (count > kMostCopies) source.fail(ErrorCode::malformed, "INSERT draws too many copies", group->offset);
+  return std::max(count, 1);
+}
+
+}  // namespace
+
+std::map<std::string, DxfBlock> dxf_blocks(const Source& source, const std::vector<DxfGroup>& groups) {
+  std::map<std::string, DxfBlock> blocks;
+  DxfBlock* open = nullptr;
+  for (const DxfEntity& entity : dxf_entities(source, groups, "BLOCKS")) {
+    if (entity.kind == "BLOCK") {
+      const DxfGroup* const name = entity.find(2);
+      if (name == nullptr) source.fail(ErrorCode::malformed, "a block without a name", entity.offset);
+      open = &blocks[without_case(name->value)];
+      *open = {{number_or(source, entity, 10, 0), number_or(source, entity, 20, 0)}, {}};
+    } else if (entity.kind == "ENDBLK") {
+      open = nullptr;
+    } else if (open != nullptr) {
+      open->entities.push_back(entity);
+    }
+  }
+  return blocks;
+}
+
+// The base comes to the origin, is scaled, moved to its row and column, rotated, and moved to its position.
+std::vector<PlaneTransform> dxf_placements(const Source& source, const DxfEntity& insert, const DxfBlock& block) {
+  const auto number = [&](int code, double otherwise) { return number_or(source, insert, code, otherwise); };
+  const Point x_axis = direction(number(50, 0));
+  const PlaneTransform rotation{x_axis.x, x_axis.y, -x_axis.y, x_axis.x, number(10, 0), number(20, 0)};
+  const PlaneTransform scaling{number(41, 1), 0, 0, number(42, 1), 0, 0},
+      moved{1, 0, 0, 1, -block.base.x, -block.base.y};
+  if (scaling.a == 0 || scaling.d == 0)
+    source.fail(ErrorCode::malformed, "INSERT scales its block to nothing", insert.offset);
+  const int columns = count_or_one(source, insert, 70), rows = count_or_one(source, insert, 71);
+  if (columns * rows > kMostCopies) source.fail(ErrorCode::malformed, "INSERT draws too many copies", insert.offset);
+  std::vector<PlaneTransform> placements;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const PlaneTransform step{1, 0, 0, 1, column * number(44, 0), row * number(45, 0)};
+      placements.push_back(rotation.after(step).after(scaling).after(moved));
+    }
+  return placements;
+}
+
+}  // namespace dymsum::io

@@ -10,15 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "io/region/curve_rings.h"
-#include "io/region/dxf_arc.h"
-#include "io/region/dxf_blocks.h"
+#include "io/region/curves.h"
 #include "io/region/dxf_chains.h"
 #include "io/region/dxf_groups.h"
-#include "io/region/dxf_layers.h"
-#include "io/region/dxf_spline.h"
-#include "io/region/dxf_words.h"
-#include "io/region/readers.h"
+#include "io/region/read_shapes.h"
 #include "io/region/ring_order.h"
 
 namespace dymsum::io {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "io/number_text.h"
-#include "io/region/readers.h"
+#include "io/region/read_shapes.h"
+#include "io/source.h"
 
 namespace dymsum::io {
 

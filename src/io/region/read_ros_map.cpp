@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "io/number_text.h"
 #include "io/read_file.h"
 #include "io/region/grid_map.h"
+#include "io/source.h"
 
 namespace dymsum::io {
 namespace {

@@ -1,17 +1,18 @@
-// What leads from a path to shapes: format by extension, selection by "#", and the readers behind it.
+#include "io/region/read_shapes.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 #include <utility>
 
-#include "io/number_text.h"
-#include "io/plain_text.h"
 #include "io/read_file.h"
 #include "io/region/grid_map.h"
-#include "io/region/readers.h"
+#include "io/source.h"
 
 namespace dymsum {
+
+// What leads from a path to shapes: format by extension, selection by "#", and the readers behind it.
 
 namespace {
 

@@ -15,12 +15,11 @@
 
 #include <pugixml.hpp>
 
-#include "io/number_text.h"
-#include "io/region/curve_rings.h"
-#include "io/region/dxf_arc.h"
-#include "io/region/readers.h"
+#include "io/region/curves.h"
+#include "io/region/read_shapes.h"
 #include "io/region/ring_order.h"
 #include "io/region/svg_path.h"
+#include "io/source.h"
 
 namespace dymsum::io {
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "io/number_text.h"
-#include "io/region/curve_rings.h"
-#include "io/region/readers.h"
+#include "io/region/curves.h"
+#include "io/region/read_shapes.h"
 #include "io/region/ring_order.h"
+#include "io/source.h"
 
 namespace dymsum::io {
 

@@ -7,7 +7,6 @@
 
 #include "dymsum/region.h"
 #include "io/region/curves.h"
-#include "io/region/plane_transform.h"
 #include "io/source.h"
 
 namespace dymsum::io {

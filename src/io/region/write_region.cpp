@@ -3,13 +3,17 @@
 #include <string>
 #include <string_view>
 
-#include "io/number_text.h"
-#include "io/region/readers.h"
+#include "dymsum/region_io.h"
+#include "io/region/dxf_groups.h"
+#include "io/region/read_shapes.h"
+#include "io/region/sum_json.h"
+#include "io/source.h"
 
 namespace dymsum {
 
-namespace io {
+// Regions as text in every format but SVG.
 
+namespace io {
 namespace {
 
 /// Ends a comma-separated item; nothing in front of the first.
@@ -225,4 +229,106 @@ std::string format_region(const Region& region, RegionFormat format) {
   return io::format_region_data(region.data(), format);
 }
 
+// A rounded sum with its tight features, as text.
+
+namespace {
+
+std::string feature(const std::string& name, const std::string& properties, const RegionData& data) {
+  return R"({"type":"Feature","id":")" + name + R"(","properties":{)" + properties + R"(},"geometry":)" +
+         io::geojson_geometry(data) + "}";
+}
+
+}  // namespace
+
+std::string format_sum(const PlanarSum& sum, const Region& rounded, RegionFormat format) {
+  if (sum.tight_segments.empty() && sum.tight_points.empty()) return format_region(rounded, format);
+  if (format == RegionFormat::geojson)
+    return R"({"type":"FeatureCollection","features":[)" + feature("sum", R"("tight":false)", rounded.data()) + ",\n" +
+           feature("tight", R"("tight":true)", io::tight_data(sum)) + "]}\n";
+  const RegionData all = io::with_tight(rounded.data(), io::tight_data(sum));
+  const std::size_t polylines = rounded.polylines().size(), points = rounded.points().size();
+  std::string text = io::format_region_data(all, format);
+  if (format != RegionFormat::poly) return text;
+  return "# tight features: the last " + std::to_string(all.polylines.size() - polylines) + " polylines and " +
+         std::to_string(all.points.size() - points) + " points\n" + text;
+}
+
 }  // namespace dymsum
+
+namespace dymsum::io {
+
+// Regions as DXF text, of AutoCAD 2000 and later: every ring and polyline an LWPOLYLINE, every point a POINT.
+
+namespace {
+
+class DxfWriter {
+ public:
+  std::string write(const RegionData& data) {
+    group(999, kDxfOwn);
+    begin_section("HEADER");
+    group(9, "$ACADVER");
+    group(1, "AC1015");
+    group(0, "ENDSEC");
+    begin_section("ENTITIES");
+    for (const Part& part : data.parts) {
+      chain(part.outer, kDxfOuter, true);
+      for (const Ring& hole : part.holes) chain(hole, kDxfHole, true);
+    }
+    for (const Polyline& line : data.polylines) chain(line, kDxfLine, false);
+    for (const Point p : data.points) {
+      begin_entity("POINT", "AcDbPoint", kDxfPoint);
+      position(p);
+      number(30, 0);
+    }
+    group(0, "ENDSEC");
+    group(0, "EOF");
+    return std::move(out_);
+  }
+
+ private:
+  void group(int code, std::string_view value) {
+    out_ += std::to_string(code);
+    out_ += '\n';
+    out_ += value;
+    out_ += '\n';
+  }
+  void number(int code, double value) {
+    std::string text;
+    append_number(text, value);
+    group(code, text);
+  }
+  void position(Point p) {
+    number(10, p.x);
+    number(20, p.y);
+  }
+  void begin_section(std::string_view name) {
+    group(0, "SECTION");
+    group(2, name);
+  }
+  // Every entity has a handle of its own.
+  void begin_entity(std::string_view kind, std::string_view type, std::string_view layer) {
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    std::string handle;
+    for (std::size_t n = ++entities_ + 0xff; n > 0; n /= 16) handle.insert(handle.begin(), kDigits[n % 16]);
+    group(0, kind);
+    group(5, handle);
+    group(100, "AcDbEntity");
+    group(8, layer);
+    group(100, type);
+  }
+  void chain(const std::vector<Point>& points, std::string_view layer, bool closed) {
+    begin_entity("LWPOLYLINE", "AcDbPolyline", layer);
+    group(90, std::to_string(points.size()));
+    group(70, closed ? "1" : "0");
+    for (const Point p : points) position(p);
+  }
+
+  std::string out_;
+  std::size_t entities_ = 0;
+};
+
+}  // namespace
+
+std::string write_dxf(const RegionData& data) { return DxfWriter().write(data); }
+
+}  // namespace dymsum::io

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/bit_cast.h"
+#include "base/doubles.h"
 #include "io/bytes.h"
 
 namespace dymsum::io {

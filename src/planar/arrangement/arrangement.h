@@ -9,10 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "base/key_indices.h"
 #include "base/poll.h"
+#include "base/scratch.h"
 #include "planar/arrangement/crossings.h"
-#include "planar/arrangement/soup.h"
 
 namespace dymsum::planar {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/poll.h"
-#include "planar/arrangement/soup.h"
+#include "planar/arrangement/crossings.h"
 
 namespace dymsum::planar {
 

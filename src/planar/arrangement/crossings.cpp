@@ -11,10 +11,9 @@
 #include <emmintrin.h>
 #endif
 
-#include "planar/mask/segment_clip.h"
+#include "planar/mask/interior_mask.h"
 
 namespace dymsum::planar {
-
 namespace {
 
 // The top bit of each 16-bit field; bounds stay below it.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include "base/union_find.h"
+#include "base/scratch.h"
 #include "planar/arrangement/arrangement.h"
-#include "planar/operand/directions.h"
+#include "planar/operand/edges.h"
 
 namespace dymsum::planar {
 

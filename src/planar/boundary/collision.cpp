@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "planar/operand/sum_bounds.h"
+#include "planar/operand/lattice.h"
 
 namespace dymsum::planar {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "exact/rung.h"
+#include "exact/orient.h"
 #include "planar/operand/lattice.h"
 #include "planar/operand/operand.h"
 

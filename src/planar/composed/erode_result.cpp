@@ -6,12 +6,11 @@
 #include <limits>
 #include <optional>
 
-#include "planar/boolean/boolean_terms.h"
-#include "planar/region/complement.h"
+#include "planar/boolean/planar_boolean.h"
+#include "planar/region/region.h"
 #include "planar/result/result_region.h"
-#include "planar/sum/inside_of_frame.h"
-#include "planar/sum/sum_engine.h"
-#include "planar/sum/taken_operand.h"
+#include "planar/sum/erode.h"
+#include "planar/sum/minkowski_sum.h"
 
 namespace dymsum {
 namespace {

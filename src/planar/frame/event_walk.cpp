@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/memory_budget.h"
 #include "base/poll.h"
-#include "base/within_memory.h"
 #include "planar/frame/frame_rings.h"
 #include "planar/frame/scaling_events.h"
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <unordered_map>
 
-#include "planar/result/part_nesting.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 std::vector<const SumRing*> rings_of(const PlanarSum& sum) {

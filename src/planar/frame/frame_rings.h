@@ -10,8 +10,8 @@
 
 #include "dymsum/frames.h"
 #include "dymsum/planar_sum.h"
+#include "planar/boundary/boundary.h"
 #include "planar/boundary/collision.h"
-#include "planar/boundary/leftmost_loop.h"
 #include "planar/position/exact_source.h"
 
 namespace dymsum::planar {

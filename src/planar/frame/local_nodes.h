@@ -8,7 +8,6 @@
 
 #include "base/memory_budget.h"
 #include "planar/frame/near_segments.h"
-#include "planar/frame/posed_regions.h"
 
 namespace dymsum::planar {
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/operand/round_position.h"
-#include "planar/operand/sum_bounds.h"
+#include "planar/operand/lattice.h"
 
 namespace dymsum::planar {
 

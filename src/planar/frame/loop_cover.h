@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "base/two_lanes.h"
+#include "base/doubles.h"
 #include "dymsum/frames.h"
 #include "planar/frame/piece_lists.h"
-#include "planar/window/edge_search.h"
+#include "planar/window/scaling_pairs.h"
 
 namespace dymsum::planar {
 

@@ -10,7 +10,7 @@
 
 #include "base/memory_budget.h"
 #include "dymsum/frames.h"
-#include "planar/motion/exact_frame.h"
+#include "planar/motion/operand_pair.h"
 #include "planar/window/scaling_window.h"
 
 namespace dymsum::planar {

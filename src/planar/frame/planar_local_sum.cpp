@@ -12,14 +12,12 @@
 #include <utility>
 
 #include "base/double_text.h"
+#include "base/memory_budget.h"
 #include "base/poll.h"
-#include "base/stopwatch.h"
-#include "base/within_memory.h"
 #include "dymsum/planar_local_sum.h"
-#include "planar/frame/local_overlap.h"
+#include "planar/frame/local_edges.h"
 #include "planar/frame/near_segments.h"
-#include "planar/operand/contact_of.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/operand/operand.h"
 
 namespace dymsum {
 

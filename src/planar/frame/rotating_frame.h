@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/doubles.h"
 #include "base/memory_budget.h"
-#include "base/two_lanes.h"
 #include "planar/window/rotating_window.h"
 
 namespace dymsum::planar {

@@ -9,7 +9,7 @@
 #include "dymsum/frames.h"
 #include "planar/frame/frame_rings.h"
 #include "planar/frame/rotating_frame.h"
-#include "planar/motion/exact_frame.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 

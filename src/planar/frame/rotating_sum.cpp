@@ -6,10 +6,8 @@
 
 #include "dymsum/rotating_sum.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/operand/contact_of.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/operand/operand.h"
 #include "planar/position/exact_source.h"
-#include "planar/position/nearest_point.h"
 
 namespace dymsum::planar {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar/operand/round_position.h"
-#include "planar/window/edge_search.h"
+#include "planar/operand/lattice.h"
+#include "planar/window/scaling_pairs.h"
 
 namespace dymsum::planar {
 

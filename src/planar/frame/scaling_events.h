@@ -11,8 +11,7 @@
 
 #include "dymsum/planar_sum.h"
 #include "dymsum/scaling_sum.h"
-#include "planar/motion/exact_frame.h"
-#include "planar/motion/scaling_forms.h"
+#include "planar/motion/operand_pair.h"
 #include "planar/window/scaling_window.h"
 
 namespace dymsum::planar {

@@ -7,10 +7,17 @@
 
 #include "base/double_text.h"
 #include "base/elementary.h"
+#include "dymsum/cspace_obstacle.h"
 #include "dymsum/orientation.h"
+#include "dymsum/orientation_sum.h"
 #include "exact/big.h"
-#include "exact/rational_text.h"
 #include "exact/rounding_bound.h"
+#include "planar/motion/operand_pair.h"
+#include "planar/operand/operand.h"
+#include "planar/position/exact_source.h"
+#include "planar/region/region.h"
+#include "planar/sum/erode.h"
+#include "planar/sum/minkowski_sum.h"
 
 namespace dymsum {
 namespace {
@@ -169,13 +176,11 @@ LatticeScale turn_of(const Orientation& o, std::uint32_t op) {
 }
 
 }  // namespace planar
+
 }  // namespace dymsum
 
 namespace dymsum::planar {
 namespace {
-
-using exact::BigInteger;
-using exact::BigRational;
 
 // Angles are integers of steps of 2^-kBits. The largest double is less than 2^1024 quarter turns, and a quarter turn is
 // known to one step: a reduced angle is known to 2^-128.
@@ -241,4 +246,115 @@ double reduced_degrees(const BigRational& degrees) {
   return rounded(BigRational(quarters * quarter_turn(), whole << kBits));
 }
 
+using exact::AlgebraicRoot;
+
+namespace {
+
+int sign_of(const AlgebraicRoot& t) {
+  if (t.low() > 0) return 1;
+  if (t.high() < 0) return -1;
+  return exact::compare(t, BigRational(0));
+}
+
+// The charts in the order of the angles: (-pi, -pi/2], (-pi/2, pi/2], (pi/2, pi].
+int section(const ExactAngle& a) { return a.chart == 0 ? 1 : sign_of(a.t) > 0 ? 0 : 2; }
+
+/// The error of angle_at: an arc tangent, pi and their sum err by less than 4 u each; and that of twice an arc tangent,
+/// relatively.
+constexpr double kTurned = exact::rounding_bound(12, 16), kArc = exact::rounding_bound(2, 4);
+
+double angle_at(double t, int section) {
+  const double theta = 2 * base::elementary::atan(t);
+  return section == 1 ? theta : section == 0 ? theta - std::numbers::pi : theta + std::numbers::pi;
+}
+
+// Whether b comes before c on the way counter-clockwise from a, all the way round when c = a.
+bool on_way(const ExactAngle& a, const ExactAngle& b, const ExactAngle& c) {
+  const int ab = compare(a, b), bc = compare(b, c), ac = compare(a, c);
+  if (ab == 0 || bc == 0) return false;
+  if (ac == 0) return true;
+  return ac < 0 ? ab < 0 && bc < 0 : ab < 0 || bc < 0;
+}
+
+}  // namespace
+
+ExactAngle exact_angle(const Orientation& theta) {
+  if (theta.is_half_turn()) return {1, AlgebraicRoot::rational(0)};
+  const BigRational t = exact::exact_value(theta.tan_half());
+  if (t > -1 && t <= 1) return {0, AlgebraicRoot::rational(t)};
+  return {1, AlgebraicRoot::rational(BigRational(-1 / t))};
+}
+
+int compare(const ExactAngle& a, const ExactAngle& b) {
+  const int difference = section(a) - section(b);
+  if (difference != 0) return difference < 0 ? -1 : 1;
+  return exact::compare(a.t, b.t);
+}
+
+EventAngle event_angle(const ExactAngle& angle) {
+  EventAngle e;
+  const int s = section(angle);
+  e.theta = angle_at(angle.t.approx(), s);
+  e.low = angle_at(angle.t.low(), s);
+  e.high = angle_at(angle.t.high(), s);
+  if (s != 1) {
+    e.low -= kTurned;
+    e.high += kTurned;
+  } else if (e.low != 0 || e.high != 0) {
+    e.low -= kArc * std::abs(e.low) + exact::kSubnormal;
+    e.high += kArc * std::abs(e.high) + exact::kSubnormal;
+  }
+  if (const std::optional<BigRational> t = exact::rational_value(angle.t)) e.exact = orientation_at(angle.chart, *t);
+  return e;
+}
+
+Orientation orientation_between(const ExactAngle& a, const ExactAngle& b) {
+  for (const Orientation& simple :
+       {Orientation(), *Orientation::of(1, 1), *Orientation::of(-1, 1), Orientation::half_turn()})
+    if (on_way(a, exact_angle(simple), b)) return simple;
+  // Both lie in one quarter, a perhaps at its start. Its chart ends with a quarter turn, so that b is in it; a is too
+  // unless it is the -pi/2 before chart 0 or the pi/2 before chart 1.
+  const int chart = b.chart;
+  const AlgebraicRoot from = a.chart == chart ? a.t : AlgebraicRoot::rational(-1);
+  return orientation_at(chart, exact::between(from, b.t));
+}
+
 }  // namespace dymsum::planar
+
+namespace dymsum {
+namespace {
+
+Result<PlanarSum> sum_of(const Region& p, const Region& q, const Orientation& theta, const SumOptions& options,
+                         planar::PairOptions pair) {
+  pair.min_tier_bits = planar::SumInternals::min_tier_bits(options);
+  pair.spread = planar::Spread::any;
+  const auto base = planar::pair_of_regions(p, q, pair);
+  if (!base) return base.error();
+  return planar::placed_sum((*base)->placed(theta), options);
+}
+
+}  // namespace
+
+Result<PlanarSum> cspace_slice(const Region& robot, const Region& obstacle, const Orientation& theta,
+                               const SumOptions& options) {
+  return sum_of(obstacle, robot, theta, options, {.moved = 1, .reflect_q = true});
+}
+
+Result<PlanarSum> rotated_erode(const Region& p, const Region& q, const Orientation& theta, const SumOptions& options) {
+  if (std::optional<Error> error = planar::not_erodible(p, q)) return *std::move(error);
+  if (p.empty()) return minkowski_sum(p, q, options);  // empty too
+  const auto base =
+      planar::OperandPair::create({planar::make_operand(planar::complement_of(p, q, planar::Turning::any), 0),
+                                   planar::prepared_operand(q, 1, true)},
+                                  {}, 1, planar::SumInternals::min_tier_bits(options));
+  if (!base) return base.error();
+  Result<planar::SumState> computed = planar::compute_boundary((*base)->placed(theta), planar::options_inside(options));
+  if (!computed) return computed.error();
+  return planar::inside_of_frame(std::move(computed).value(), options);
+}
+
+Result<PlanarSum> rotated_sum(const Region& p, const Region& q, const Orientation& theta, const SumOptions& options) {
+  return sum_of(p, q, theta, options, {.moved = 0});
+}
+
+}  // namespace dymsum

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/integer_pair.h"
-#include "planar/operand/lattice_build.h"
+#include "exact/interval.h"
+#include "planar/operand/make_lattice.h"
 
 namespace dymsum::planar {
 namespace {

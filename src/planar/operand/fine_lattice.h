@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "exact/fine_interval.h"
+#include "exact/interval.h"
 #include "planar/operand/lattice.h"
 
 namespace dymsum::planar {

@@ -9,11 +9,10 @@
 
 #include "exact/grid.h"
 #include "exact/int.h"
-#include "exact/integer_pair.h"
+#include "exact/interval.h"
 #include "planar/operand/fine_lattice.h"
-#include "planar/operand/lattice_build.h"
-#include "planar/operand/sum_bounds.h"
-#include "planar/position/position_signs.h"
+#include "planar/operand/make_lattice.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::planar {
 namespace {
@@ -490,6 +489,16 @@ std::shared_ptr<const Lattice> build_lattice(LatticePoints points, std::optional
   if (points_bits <= kEvents && min_tier_bits <= static_cast<int>(exact::Tier::b512))
     return std::make_shared<LatticeOf<exact::Int<kEvents>>>(std::move(doubles), per_double, std::move(scale));
   return std::make_shared<LatticeOf<Big>>(std::move(doubles), per_double, std::move(scale));
+}
+
+void round_position(const Lattice& lattice, SegmentPosition& position) {
+  const Pair start = start_of(position.on);
+  const Lattice::Position at = lattice.position(position), from = lattice.position(start);
+  const PlacedPoints &p = *lattice.points[0], &q = *lattice.points[1];
+  const exact::BigRational unit = exact::exact_value(lattice.unit);
+  position.x = p.x[start.p] + q.x[start.q] + exact::round_to_double(exact::BigRational((at.x - from.x) / unit));
+  position.y = p.y[start.p] + q.y[start.q] + exact::round_to_double(exact::BigRational((at.y - from.y) / unit));
+  position.error = kRoundedPosition * lattice.span;
 }
 
 }  // namespace dymsum::planar

@@ -4,19 +4,32 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
-#include "base/own_memory.h"
+#include "base/memory_budget.h"
+#include "dymsum/planar_sum.h"
 #include "dymsum/region.h"
-#include "planar/operand/directions.h"
-#include "planar/operand/edge_tree.h"
+#include "planar/operand/edges.h"
 #include "planar/operand/lattice.h"
-#include "planar/region/engine_region.h"
+#include "planar/region/region.h"
 
 namespace dymsum::planar {
+
+// Both operands of a sum where they stand.
+
+class Lattice;
+struct Operand;
+
+/// P and Q on their common lattice.
+struct PlacedPair {
+  std::shared_ptr<const Lattice> lattice;
+  std::shared_ptr<const Operand> p, q;
+};
 
 enum class LoopKind : std::uint8_t {
   outer,  ///< counter-clockwise boundary of a two-dimensional component
@@ -110,5 +123,34 @@ std::optional<Error> too_large(const Operand& operand);
 
 /// Whether some component is a polyline or a point.
 bool has_component_without_area(const Operand& operand);
+
+// What a segment of the convolution is called in the regions.
+
+/// Requires: operands P and Q.
+inline Contact contact_of(const WalkSegment& s, const Operand& p, const Operand& q) {
+  if (s.side == 0) return {Contact::Kind::edge_of_p, p.edge_index[s.edge], q.vertex_index[s.vertex]};
+  return {Contact::Kind::edge_of_q, p.vertex_index[s.vertex], q.edge_index[s.edge]};
+}
+
+// What the engine keeps of a region from one sum to the next: the region as an operand, in each role it has played so
+// far.
+
+/// Shared by all copies of a region; each operand is made when it is first requested. Thread-safe.
+class PreparedRegion {
+ public:
+  /// The region, or its reflection, as operand `op`. Requires: always the same region.
+  std::shared_ptr<const Operand> operand(const Region& region, std::uint32_t op, bool reflected);
+
+ private:
+  struct Slot {
+    std::atomic<bool> made = false;
+    std::shared_ptr<const Operand> operand;
+  };
+  std::array<Slot, 4> slots_;
+  std::mutex making_;  // a once_flag asks the system to wake whoever waits, which takes as long as a small operand
+};
+
+/// The region, or its reflection, as operand `op`, kept with the region.
+std::shared_ptr<const Operand> prepared_operand(const Region& region, std::uint32_t op, bool reflected = false);
 
 }  // namespace dymsum::planar

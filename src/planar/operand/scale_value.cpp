@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/double_text.h"
-#include "exact/rational_text.h"
+#include "exact/big.h"
 
 namespace dymsum {
 namespace {

@@ -1,15 +1,20 @@
-// The source of the exact positions of a sum's vertices: the contract between the engine, which knows the integer
-// operands, and everything that happens after the boundary has been found.
+// Exact positions of a sum's vertices: where they come from, their signs and order, their nearest doubles, and what of
+// a ring contains one.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
-#include "base/double_pair.h"
+#include "base/doubles.h"
 #include "dymsum/planar_sum.h"
-#include "exact/homogeneous_point.h"
+#include "exact/big.h"
 
 namespace dymsum {
+
+// The source of the exact positions of a sum's vertices: the contract between the engine, which knows the integer
+// operands, and everything that happens after the boundary has been found.
 
 /// Exact positions of the vertices of one sum. The vertex's contacts and corner name the position; `at` is never read.
 /// Requires: every vertex handed in was made by the engine that made this source. Implementations are immutable.
@@ -106,3 +111,88 @@ inline const std::shared_ptr<const ExactSource>& exact_source(const PlanarSum& s
 inline std::shared_ptr<const ExactSource>& exact_source(PlanarSum& sum) { return planar::SumInternals::source(sum); }
 
 }  // namespace dymsum
+
+namespace dymsum::planar {
+
+// Exact signs of points given as rationals: order, orientation, and the position of a point against closed rings. The
+// nearest doubles are tried first; they never decide unless their error bound proves the sign.
+
+using Position = ExactSource::Position;
+using Homogeneous = ExactSource::Homogeneous;
+
+/// The position over the least common denominator.
+Homogeneous homogeneous(const Position& p);
+/// The position in lowest terms.
+Position reduced(const Homogeneous& p);
+
+/// The sign of a - b. (Boost's own comparison of rationals expands continued fractions.)
+int compare(const exact::BigRational& a, const exact::BigRational& b);
+/// Lexicographic order: -1, 0, 1.
+int compare(const Position& a, const Position& b);
+
+/// A position with its nearest doubles. Rounding to nearest is monotone: nearest coordinates that differ are in the
+/// order of the exact ones.
+struct Spot {
+  Position exact;
+  Point nearest;
+};
+
+Spot make_spot(Position p);
+/// The spot at a double point. Requires: finite.
+Spot make_spot(Point p);
+
+int compare_x(const Spot& a, const Spot& b);
+int compare_y(const Spot& a, const Spot& b);
+/// Lexicographic order: -1, 0, 1.
+int compare(const Spot& a, const Spot& b);
+/// The sign of (b - a) x (c - a): 1 where c lies left of the directed line from a to b, 0 on it, -1 right.
+int orientation(const Spot& a, const Spot& b, const Spot& c);
+/// The same sign from the doubles alone, or 0 where their error bound does not decide.
+int orientation_filtered(Point a, Point b, Point c);
+/// True when c lies on the closed segment from a to b.
+bool on_segment(const Spot& a, const Spot& b, const Spot& c);
+/// True when the open segments a b and c d cross in one point.
+bool cross_properly(const Spot& a, const Spot& b, const Spot& c, const Spot& d);
+
+enum class Location { outside, boundary, inside };
+
+/// The location of q against a closed ring of either orientation. O(n).
+Location locate(std::span<const Spot> ring, const Spot& q);
+/// The location of q against the set bounded by rings that do not cross (even-odd). O(n).
+Location locate(const std::vector<std::vector<Spot>>& rings, const Spot& q);
+
+// The nearest doubles of a sum's vertices: from one sum of doubles, from some thirty digits, or from the exact
+// position, whichever decides first.
+
+class NearestPoint {
+ public:
+  /// Requires that the source outlives this.
+  explicit NearestPoint(const ExactSource& source);
+
+  /// Both coordinates correctly rounded, infinite past the double range.
+  Point operator()(const SumVertex& vertex) const;
+
+ private:
+  struct Frame {
+    base::DoublePair unit, x, y;
+  };
+  const ExactSource& source_;
+  std::optional<Frame> frame_;
+};
+
+// The rings of a sum, and those that they lie in.
+
+/// A box that contains a ring's exact positions.
+struct RingBox {
+  double min_x, min_y, max_x, max_y;
+};
+
+RingBox box_of(const SumRing& ring, double at_error);
+bool boxes_disjoint(const RingBox& a, const RingBox& b);
+
+/// True when `inner` lies in the closed bounded side of `outer`. Requires: the two rings do not cross and differ; they
+/// may touch at points. Doubles decide when a point of `inner` is clear of `outer`; positions of the source otherwise.
+/// O(n + m); exact fallback O(n m) at worst, when all of inner's vertices lie on outer.
+bool ring_contains(const SumRing& outer, const SumRing& inner, const ExactSource& source, double at_error);
+
+}  // namespace dymsum::planar

@@ -8,9 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "base/box_lanes.h"
+#include "base/box_sweep.h"
 #include "base/scratch.h"
 #include "exact/orient.h"
+#include "planar/region/region_sweep.h"
 
 namespace dymsum::planar {
 namespace {
@@ -35,8 +36,6 @@ Box around(Box a, Box b) {
 
 Point low_corner(Point a, Point b) { return {std::min(a.x, b.x), std::min(a.y, b.y)}; }
 Point high_corner(Point a, Point b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
-bool lex_less(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
 /// c and d lie strictly on one side of the line through a and b. Exact.
 bool on_one_side(Point a, Point b, Point c, Point d) {
   const int s = exact::orient_sign(a, b, c);

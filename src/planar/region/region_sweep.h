@@ -9,6 +9,8 @@
 
 namespace dymsum::planar {
 
+inline bool lex_less(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
 /// Rings end to end, every vertex and the edge that starts there under one number.
 struct RingList {
   std::vector<Point> points;

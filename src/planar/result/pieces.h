@@ -6,7 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "planar/position/position_signs.h"
+#include "dymsum/planar_sum.h"
+#include "planar/operand/lattice.h"
+#include "planar/operand/operand.h"
+#include "planar/position/exact_source.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 
@@ -47,5 +51,20 @@ struct Pieces {
 /// Cost: O(c (n + k n)) for c candidates, n ring edges and k edges that meet a candidate.
 Pieces lower_dimensional_pieces(std::span<const std::vector<Position>> rings, std::span<const PieceCandidate> segments,
                                 std::span<const Position> points);
+
+// Lower-dimensional pieces of a sum with the contacts that carry them.
+
+/// Segments and points, not yet cut and merged.
+struct PieceCandidates {
+  std::vector<SumSegment> segments;
+  std::vector<SumVertex> points;
+};
+
+/// What pairs of components without area add to the closed sum, parallelograms left out.
+PieceCandidates lower_dimensional_candidates(const Lattice& lattice, const Operand& p, const Operand& q);
+
+/// Appends the maximal pieces of the candidates outside the parts: lower_dimensional_pieces, with contacts.
+void merge_pieces(const SumSource& source, const std::vector<SumPart>& parts, const PieceCandidates& candidates,
+                  std::vector<SumSegment>& segments, std::vector<SumVertex>& points);
 
 }  // namespace dymsum::planar

@@ -11,7 +11,7 @@
 #include "base/double_text.h"
 #include "exact/orient.h"
 #include "planar/region/snapped_rings.h"
-#include "planar/result/sum_skeleton.h"
+#include "planar/result/result_region.h"
 
 namespace dymsum::planar {
 

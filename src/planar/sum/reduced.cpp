@@ -1,21 +1,212 @@
 #include "planar/sum/reduced.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "base/doubles.h"
 #include "base/memory_budget.h"
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "planar/arrangement/arrangement.h"
+#include "planar/arrangement/crossings.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/arrangement/live_pieces.h"
 #include "planar/boundary/boundary.h"
-#include "planar/boundary/tight_features.h"
-#include "planar/convolution/parallelogram_sides.h"
-#include "planar/result/trace_stages.h"
-#include "planar/sum/live_segments.h"
-#include "planar/sum/reduced_chain.h"
+#include "planar/convolution/convolution.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
+namespace {
+
+// Segments that a convolution holds twice.
+
+/// Segments by their ends. Sums of operands with common edge vectors, above all P + P, hold most segments twice; one is
+/// enough.
+class SameSegments {
+ public:
+  explicit SameSegments(const Soup& soup) : soup_(soup), slots_(soup.memory) {}
+  void reserve(std::size_t n) {
+    slots_.assign(std::bit_ceil(2 * n + 1), kNone);
+    shift_ = 64 - std::countr_zero(slots_.size());
+  }
+
+  // The earlier segment with exactly the same ends, or kNone; then s is remembered.
+  std::uint32_t find_or_add(std::uint32_t s) {
+    const SoupBox& b = soup_.boxes[s];
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = hash(b) >> shift_;
+    for (; slots_[at] != kNone; at = (at + 1) & mask) {
+      const std::uint32_t t = slots_[at];
+      const SoupBox& c = soup_.boxes[t];
+      if (b.ax == c.ax && b.ay == c.ay && b.bx == c.bx && b.by == c.by &&
+          (soup_.exact_sums() || (soup_.lattice.same(soup_.exact(soup_.start(s)), soup_.exact(soup_.start(t))) &&
+                                  soup_.lattice.same(soup_.exact(soup_.end(s)), soup_.exact(soup_.end(t))))))
+        return t;
+    }
+    slots_[at] = s;
+    return kNone;
+  }
+
+ private:
+  // Its high bits count: doubles that hold small integers end in zeros.
+  static std::uint64_t hash(const SoupBox& b) {
+    const auto bits = [](double v) { return base::bit_cast<std::uint64_t>(v); };
+    return bits(b.ax) * 0x9e3779b97f4a7c15 + bits(b.ay) * 0xc2b2ae3d27d4eb4f + bits(b.bx) * 0x165667b19e3779f9 +
+           bits(b.by) * 0x27d4eb2f165667c5;
+  }
+  const Soup& soup_;
+  Array<std::uint32_t> slots_;
+  int shift_ = 0;
+};
+
+}  // namespace
+
+ReducedChain::ReducedChain(const Soup& soup, const ReducedConvolution& convolution, Array<std::uint32_t> live,
+                           std::uint32_t reduced)
+    : Chain(soup.memory), soup_(soup), convolution_(convolution), live_(std::move(live)) {
+  first_unchained_ = reduced;
+  next_.resize(soup.size(), kNone);
+  fill_next();
+}
+
+void ReducedChain::fill_next() {
+  const std::uint32_t n = convolution_.size(), reduced = first_unchained_;
+  if (live_.empty()) {
+    convolution_.fill_next({next_.data(), reduced});
+  } else if (reduced > n / 3) {
+    Array<std::uint32_t> next(n, soup_.memory);
+    convolution_.fill_next(next);
+    // The first id of a segment made it; segments are in the order of these ids.
+    for (std::uint32_t id = 0, s = 0; s < reduced; ++id)
+      if (live_[id] == s) next_[s++] = live(next[id]);
+  } else {
+    for (std::uint32_t s = 0; s < reduced; ++s) {
+      const SoupSegment& g = soup_.segments[s];
+      next_[s] = live(convolution_.next({g.side(), g.edge(), g.vertex}));
+    }
+  }
+}
+
+void ReducedChain::incident(WalkPair v, Array<Incidence>& out) const {
+  const Operand &p = *soup_.operands[0], &q = *soup_.operands[1];
+  add(convolution_.find(0, v.p, v.q), true, out);
+  add(convolution_.find(1, v.q, v.p), true, out);
+  add(convolution_.find(0, p.prev[v.p], v.q), false, out);
+  add(convolution_.find(1, q.prev[v.q], v.p), false, out);
+  for (std::uint32_t s = first_unchained_; s < soup_.size(); ++s) {
+    if (soup_.start(s) == v) out.push_back({s, true});
+    if (soup_.end(s) == v) out.push_back({s, false});
+  }
+}
+
+namespace {
+
+// The cells that edges of one operand reach, wherever a vertex of the other moves them.
+class EdgeCells {
+ public:
+  EdgeCells(const InteriorMask& mask, std::size_t most_edges, Scratch* memory) : mask_(mask), bounds_(memory) {
+    bounds_.reserve(most_edges);
+  }
+
+  void of(const Operand& o) {
+    // A float errs by at most kReach, as there are fewer than 2048 rows and columns: half a unit in the last place of
+    // 1024 and more.
+    constexpr double reach = 3 * kReach;
+    static_assert(1024 * exact::kFloatRoundoff <= kReach);
+    const double per_cell = mask_.grid().per_cell;
+    bounds_.clear();
+    for (const EdgeBox& b : o.boxes)
+      bounds_.push_back({static_cast<float>(std::min(b.ay, b.by) * per_cell - reach),
+                         static_cast<float>(std::min(b.ax, b.bx) * per_cell - reach),
+                         static_cast<float>(std::max(b.ay, b.by) * per_cell + reach),
+                         static_cast<float>(std::max(b.ax, b.bx) * per_cell + reach)});
+  }
+  /// Whether all cells that an edge reaches are covered when it is moved by so many rows and columns.
+  bool covered(std::uint32_t edge, double row, double column) const {
+    const std::array<double, 4> at{row, column, row, column};
+    std::array<int, 4> cell;
+    for (std::size_t k = 0; k < 4; ++k) cell[k] = static_cast<int>(bounds_[edge][k] + at[k]);
+    return !mask_.any_live(cell[0], cell[1], cell[2], cell[3]);
+  }
+
+ private:
+  // Low row, low column, high row, high column. Without clamps: coordinates lie in [0, span], and the grid reaches
+  // farther than that by more than a cell.
+  using Bounds = std::array<float, 4>;
+  const InteriorMask& mask_;
+  Array<Bounds> bounds_;
+};
+
+}  // namespace
+
+void add_all(const ReducedConvolution& convolution, Soup& soup) {
+  std::size_t i = soup.size();
+  soup.segments.resize(i + convolution.size());
+  soup.boxes.resize(soup.segments.size());
+  SoupSegment* segment = soup.segments.data() + i;
+  SoupBox* to = soup.boxes.data() + i;
+  convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges,
+                                std::uint32_t lo, std::uint32_t count) {
+    const EdgeBox* const own = soup.operands[side]->boxes.data();
+    const double vx = soup.operands[1 - side]->x[v], vy = soup.operands[1 - side]->y[v];
+    const std::uint32_t *at = edges.data() + lo, *const end = edges.data() + edges.size(), label = side << 31;
+    for (SoupBox* const last = to + count; to != last; ++to) {
+      const std::uint32_t e = *at;
+      *segment++ = {label | e, v};
+      *to = moved(own[e], vx, vy);
+      if (++at == end) at = edges.data();
+    }
+  });
+}
+
+Array<std::uint32_t> add_live(const ReducedConvolution& convolution, const InteriorMask* mask, Twins twins, Soup& soup,
+                              const Poll& poll) {
+  const std::uint32_t n = convolution.size();
+  Array<std::uint32_t> live(n, kNone, soup.memory);
+  SameSegments same(soup);
+  if (twins == Twins::merged) same.reserve(n);
+  soup.reserve(std::min<std::size_t>(n, 256));
+  std::optional<EdgeCells> cells;
+  if (mask != nullptr)
+    cells.emplace(*mask, std::max(soup.operands[0]->boxes.size(), soup.operands[1]->boxes.size()), soup.memory);
+  const double per_cell = mask != nullptr ? mask->grid().per_cell : 0;
+  std::uint32_t side_of_cells = 2;
+  std::uint32_t* to = live.data();
+  std::size_t queried = 0;  // when poll was
+  convolution.for_each_turn([&](std::uint32_t side, std::uint32_t v, std::span<const std::uint32_t> edges,
+                                std::uint32_t lo, std::uint32_t count) {
+    if (const auto done = static_cast<std::size_t>(to - live.data()); done - queried > 10000) {
+      queried = done;
+      poll(static_cast<double>(done) / n);
+    }
+    const Operand &o = *soup.operands[side], &other = *soup.operands[1 - side];
+    const EdgeBox* own = o.boxes.data();
+    const double vx = other.x[v], vy = other.y[v];
+    if (cells && side_of_cells != side) {
+      cells->of(o);
+      side_of_cells = side;
+    }
+    const double row = vy * per_cell, column = vx * per_cell;
+    for (std::uint32_t k = 0, at = lo; k < count; ++k, at = at + 1 == edges.size() ? 0 : at + 1, ++to) {
+      const std::uint32_t e = edges[at];
+      if (cells && cells->covered(e, row, column)) continue;
+      const SoupBox b = moved(own[e], vx, vy);
+      if (soup.size() == soup.segments.capacity()) soup.reserve(std::min<std::size_t>(n, 2 * soup.size()));
+      *to = static_cast<std::uint32_t>(soup.size());
+      soup.add({side, e, v}, b);
+      if (twins == Twins::kept) continue;
+      if (const std::uint32_t twin = same.find_or_add(*to); twin != kNone) {
+        *to = twin;
+        soup.drop_last();
+      }
+    }
+  });
+  return live;
+}
+
 namespace {
 
 // What the steps share.

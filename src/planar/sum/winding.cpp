@@ -1,16 +1,14 @@
 #include "planar/sum/winding.h"
 
 #include "base/memory_budget.h"
-#include "base/stopwatch.h"
+#include "base/poll.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/arrangement/segment_graph.h"
 #include "planar/boundary/boundary.h"
 #include "planar/boundary/collision.h"
 #include "planar/boundary/winding_boundary.h"
-#include "planar/boundary/winding_numbers.h"
-#include "planar/convolution/kinetic.h"
-#include "planar/convolution/parallelogram_sides.h"
-#include "planar/result/trace_stages.h"
+#include "planar/convolution/convolution.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/poll.h"
-#include "planar/result/sum_state.h"
+#include "planar/result/planar_sum.h"
 
 namespace dymsum::planar {
 

@@ -11,7 +11,7 @@
 
 #include "base/around_forks.h"
 #include "base/memory_budget.h"
-#include "base/stop.h"
+#include "base/poll.h"
 
 namespace dymsum::planar {
 

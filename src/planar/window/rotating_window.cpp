@@ -2,12 +2,158 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
-#include "planar/window/box_pairs.h"
-#include "planar/window/piece_lines.h"
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include "planar/window/rotation_mask.h"
 
 namespace dymsum::planar {
+
+// Where the extent is minute or huge the factor is not a number of use: then all boxes meet.
+BoxPairs::BoxPairs(double extent, Scratch* memory) : memory_(memory), boxes_(memory), pairs_(memory), sides_(memory) {
+  const double factor = (kBoxQuanta - 1) / extent;
+  per_unit_ = factor <= std::numeric_limits<double>::max() ? factor : 0;
+}
+
+// There are as many strips that boxes mostly lie in one, and that each holds enough of them to fill the lanes.
+int BoxPairs::strips() const {
+  constexpr std::size_t kBoxes = 96, kMost = 32;
+  constexpr long kHeights = 4;
+  if (boxes_.size() < 2 * kBoxes) return 1;
+  long heights = 0;
+  for (const Box& b : boxes_) heights += b.y1 - b.y0 + 1;
+  const long mean = heights / static_cast<long>(boxes_.size()) + 1;
+  return static_cast<int>(
+      std::clamp<long>(kBoxQuanta / (kHeights * mean), 1, static_cast<long>(std::min(kMost, boxes_.size() / kBoxes))));
+}
+
+Array<BoxPairs::Pair> BoxPairs::find(std::size_t most, const base::StopToken& stop) {
+  const int n = strips(), height = kBoxQuanta / n + 1;
+  std::vector<Array<std::uint64_t>> of(static_cast<std::size_t>(n), Array<std::uint64_t>(memory_));
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+    for (int k = boxes_[i].y0 / height, last = boxes_[i].y1 / height; k <= last; ++k)
+      of[static_cast<std::size_t>(k)].push_back(left_order(boxes_[i].x0, i));
+  pairs_.resize(4 * boxes_.size() + 4 * kLanes);
+  count_ = 0;
+  for (int k = 0; k < n && count_ <= most && !stop.stop_requested(); ++k)
+    sweep(of[static_cast<std::size_t>(k)], static_cast<std::int16_t>(k * height), most);
+  pairs_.resize(count_);
+  return std::move(pairs_);
+}
+
+// Lists the pairs of a strip whose common part begins in it: it begins in one of the strips. After the last box lie
+// some that start to the right of everything and meet nothing. Which of eight boxes meet cannot be predicted: all are
+// listed and the position moves on for those that do.
+void BoxPairs::sweep(Array<std::uint64_t>& order, std::int16_t strip, std::size_t most) {
+  sort_by_left(order);
+  const std::size_t n = order.size(), padded = n + 2 * kLanes;
+  sides_.resize(3 * padded);
+  std::int16_t *x0 = sides_.data(), *y0 = x0 + padded, *y1 = y0 + padded;
+  for (std::size_t k = 0; k < padded; ++k) {
+    constexpr std::int16_t kLast = std::numeric_limits<std::int16_t>::max();
+    const Box b = k < n ? boxes_[static_cast<std::uint32_t>(order[k])] : Box{kLast, kLast, kLast, -1};
+    x0[k] = b.x0;
+    y0[k] = b.y0;
+    y1[k] = b.y1;
+  }
+  order.resize(padded);
+  for (std::size_t i = 0; i < n && count_ <= most; ++i) {
+    const auto s = static_cast<std::uint32_t>(order[i]);
+    const std::int16_t right = boxes_[s].x1, least = y0[i] >= strip ? std::int16_t{0} : strip;
+    const Lanes low = Lanes{} + y0[i], high = Lanes{} + y1[i], far = Lanes{} + right, first = Lanes{} + least;
+    for (std::size_t j = i + 1; x0[j] <= right; j += kLanes) {
+      const Lanes begins = load_lanes(y0 + j);
+      const Lanes meets =
+          (begins <= high) & (begins >= first) & (load_lanes(y1 + j) >= low) & (load_lanes(x0 + j) <= far);
+      std::array<std::int16_t, kLanes> hits;
+      std::array<std::uint64_t, 2> halves;
+      std::memcpy(&hits, &meets, sizeof hits);
+      std::memcpy(&halves, &meets, sizeof halves);
+      if ((halves[0] | halves[1]) == 0) continue;
+      if (count_ + kLanes > pairs_.size()) pairs_.resize(2 * pairs_.size());
+      Pair* to = pairs_.data() + count_;
+      for (std::uint32_t k = 0; k < kLanes; ++k) {
+        const auto t = static_cast<std::uint32_t>(order[j + k]);
+        *to = {std::min(s, t), std::max(s, t)};
+        to -= hits[k];
+      }
+      count_ = static_cast<std::size_t>(to - pairs_.data());
+    }
+  }
+}
+
+namespace {
+
+using Four = float __attribute__((vector_size(16)));
+using Decided = std::int32_t __attribute__((vector_size(16)));
+
+Four all(float v) { return Four{v, v, v, v}; }
+Four lower_of(Four a, Four b) { return a < b ? a : b; }
+Four higher_of(Four a, Four b) { return a > b ? a : b; }
+Four sizes_of(Four a) { return higher_of(a, -a); }
+
+std::uint32_t bits(Decided decided) {
+#ifdef __SSE2__
+  return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(decided)));
+#else
+  return static_cast<std::uint32_t>((decided[0] & 1) | (decided[1] & 2) | (decided[2] & 4) | (decided[3] & 8));
+#endif
+}
+
+}  // namespace
+
+// Beyond 2^-120 of the span nothing that matters underflows.
+PieceLines::PieceLines(double span, double half, Scratch* memory)
+    : scale_(1 / span),
+      half_(static_cast<float>(half) * exact::kFloatOutwards),
+      second_(static_cast<float>(0.5 * half * half + 0x1p-100) * exact::kFloatOutwards),
+      pieces_(memory) {}
+
+PieceLines::Lines PieceLines::lines(const std::array<std::uint32_t, 4>& of) const {
+  const Piece &a = pieces_[of[0]], &b = pieces_[of[1]], &c = pieces_[of[2]], &d = pieces_[of[3]];
+  const auto turned = [](Four p, Four q, Four r, Four s, Four& x, Four& y, Four& z, Four& w) {
+    const Four pq = __builtin_shufflevector(p, q, 0, 4, 1, 5), rs = __builtin_shufflevector(r, s, 0, 4, 1, 5),
+               qp = __builtin_shufflevector(p, q, 2, 6, 3, 7), sr = __builtin_shufflevector(r, s, 2, 6, 3, 7);
+    x = __builtin_shufflevector(pq, rs, 0, 1, 4, 5);
+    y = __builtin_shufflevector(pq, rs, 2, 3, 6, 7);
+    z = __builtin_shufflevector(qp, sr, 0, 1, 4, 5);
+    w = __builtin_shufflevector(qp, sr, 2, 3, 6, 7);
+  };
+  Lines l;
+  turned(a.positions, b.positions, c.positions, d.positions, l.fx, l.fy, l.tx, l.ty);
+  turned(a.line, b.line, c.line, d.line, l.dx, l.dy, l.head, l.tail);
+  const Four ab = __builtin_shufflevector(a.rest, b.rest, 0, 4, 1, 5),
+             cd = __builtin_shufflevector(c.rest, d.rest, 0, 4, 1, 5);
+  l.length = __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
+  l.side = __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+  return l;
+}
+
+// Taylor's formula proves it. The side of the position at fraction u of one piece against the line of the other one is
+// value + u k, and its slope slope + u dot: what turns against a line is the other operand's vertex.
+std::uint32_t PieceLines::apart(const std::array<std::uint32_t, 4>& first,
+                                const std::array<std::uint32_t, 4>& second) const {
+  const Lines a = lines(first), b = lines(second);
+  const Four fx = b.fx - a.fx, fy = b.fy - a.fy, tx = b.tx - a.tx, ty = b.ty - a.ty, wx = fx + tx, wy = fy + ty;
+  const Four mixed = sizes_of(a.side - b.side), k = a.dx * b.dy - a.dy * b.dx,
+             dot = mixed * (a.dx * b.dx + a.dy * b.dy);
+  const auto beside = [&](const Lines& line, const Lines& other, Four sign) {
+    const Four rx = tx + line.side * (fx - tx), ry = ty + line.side * (fy - ty);
+    const Four value = line.dx * wy - line.dy * wx, slope = sign * (line.dx * rx + line.dy * ry);
+    const Four u = value + other.head * k, v = value + other.tail * k;
+    const Four turn = all(half_) * higher_of(sizes_of(slope + other.head * dot), sizes_of(slope + other.tail * dot)) +
+                      line.length * (all(second_) * (sizes_of(rx) + sizes_of(ry) + mixed * other.length) +
+                                     all(static_cast<float>(kApart))) +
+                      all(0x1p-110F);
+    return (lower_of(u, v) > turn) | (higher_of(u, v) < -turn);
+  };
+  return bits(beside(a, b, all(1)) | beside(b, a, all(-1)));
+}
+
 namespace {
 
 constexpr std::uint32_t kFewOfTurn = 12;  // segments of a vertex that are looked through one by one

@@ -2,20 +2,101 @@
 // the pairs of pieces that may meet. Built once; frames inside the window only look here.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "base/box_sweep.h"
 #include "base/memory_budget.h"
+#include "base/poll.h"
 #include "base/scratch.h"
-#include "base/stop.h"
-#include "planar/motion/rotation_catalog.h"
+#include "planar/motion/turning_forms.h"
 #include "planar/window/frame_window.h"
 #include "planar/window/rotation_mask.h"
 
 namespace dymsum::planar {
+
+// Pairs of boxes that meet: a sweep over their left sides in 15-bit numbers, eight at a time, in each of several
+// horizontal strips.
+
+class BoxPairs {
+ public:
+  using Pair = std::array<std::uint32_t, 2>;
+
+  /// Takes boxes within [0, extent] in both axes; what lies beyond counts as at the rim.
+  explicit BoxPairs(double extent, Scratch* memory = nullptr);
+
+  void reserve(std::size_t n) { boxes_.reserve(n); }
+  /// The next box, number 0, 1, ...
+  void add(double x0, double y0, double x1, double y1) {
+    boxes_.push_back({quantum(x0), quantum(y0), quantum(x1), quantum(y1)});
+  }
+
+  /// Every two boxes that meet, once, and some that nearly do; only some of them if there are more than `most`, or if
+  /// a stop is requested. O(n log n + pairs of a strip that meet in x / 8).
+  Array<Pair> find(std::size_t most = ~std::size_t{0}, const base::StopToken& stop = {});
+
+ private:
+  struct Box {
+    std::int16_t x0, y0, x1, y1;
+  };
+  // Monotone, so boxes that meet do so in quanta too.
+  std::int16_t quantum(double v) const {
+    return static_cast<std::int16_t>(std::clamp(v * per_unit_, 0.0, double{kBoxQuanta - 1}));
+  }
+
+  int strips() const;
+  void sweep(Array<std::uint64_t>& order, std::int16_t low, std::size_t most);
+
+  double per_unit_ = 0;
+  Scratch* memory_;
+  Array<Box> boxes_;
+  Array<Pair> pairs_;
+  Array<std::int16_t> sides_;  // of the boxes of a strip in their order: left, low, high
+  std::size_t count_ = 0;
+};
+
+// Pieces at the midpoint of a range of angles: which of them stay apart throughout it, four pairs at a time in floats.
+
+class PieceLines {
+ public:
+  /// Serves coordinates of sums up to `span`; `half`: the range reaches so far from its midpoint, at most a radian.
+  PieceLines(double span, double half, Scratch* memory = nullptr);
+
+  void reserve(std::size_t n) { pieces_.reserve(n); }
+  /// The next piece: of the segment of an edge of operand `side` with vector d that starts at the sum of a fixed and a
+  /// turning vertex, the part from share `head` to `tail`.
+  void add(std::uint32_t side, Point fixed, Point turning, Point d, double head, double tail) {
+    const auto to = [&](double v) { return static_cast<float>(v * scale_); };
+    pieces_.push_back({Four{to(fixed.x), to(fixed.y), to(turning.x), to(turning.y)},
+                       Four{to(d.x), to(d.y), static_cast<float>(head), static_cast<float>(tail)},
+                       Four{to(std::abs(d.x) + std::abs(d.y)), side == 0 ? 0.0F : 1.0F, 0, 0}});
+  }
+
+  /// Bit k of four is set where pieces a[k] and b[k] provably meet at no angle of the range, as both ends of one stay
+  /// on the same side of the other one's line. Some that stay apart are not found.
+  std::uint32_t apart(const std::array<std::uint32_t, 4>& a, const std::array<std::uint32_t, 4>& b) const;
+
+ private:
+  using Four = float __attribute__((vector_size(16)));
+  struct Piece {
+    Four positions;  ///< fixed and turning vertex
+    Four line;       ///< vector, head, tail
+    Four rest;       ///< |vector|_1, side
+  };
+  /// The lines of four pieces, one in each lane.
+  struct Lines {
+    Four fx, fy, tx, ty, dx, dy, head, tail, length, side;
+  };
+  Lines lines(const std::array<std::uint32_t, 4>& of) const;
+
+  double scale_;
+  float half_, second_;
+  Array<Piece> pieces_;
+};
 
 /// A segment that is live somewhere in the window. Windows are kept, so all of this is as small as it can be.
 struct RotatingSegment : WalkSegment {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "planar/mask/segment_clip.h"
+#include "planar/mask/interior_mask.h"
 
 namespace dymsum::planar {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "planar/mask/covered_cells.h"
+#include "planar/mask/interior_mask.h"
 #include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {

@@ -12,12 +12,11 @@
 #include <functional>
 #include <vector>
 
+#include "base/doubles.h"
 #include "base/memory_budget.h"
+#include "base/poll.h"
 #include "base/scratch.h"
-#include "base/stop.h"
-#include "base/two_lanes.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/motion/scaling_forms.h"
 #include "planar/window/frame_window.h"
 
 namespace dymsum::planar {

@@ -1,20 +1,282 @@
 #include "shape/decompose/cut_search.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
+#include <vector>
 
+#include "base/scratch.h"
+#include "dymsum/rational.h"
 #include "exact/orient.h"
-#include "shape/decompose/cut_links.h"
-#include "shape/decompose/passages.h"
 #include "shape/decompose/wall_set.h"
 
 namespace dymsum::shape {
 namespace {
+
+// What cuts connect. A cut separates something exactly where the rings and cuts that it connects are connected without
+// it, too.
+
+/// Rings are connected twice where every cut between them separates two pieces; they make one block. Cuts are added in
+/// rounds; when a round is closed, all rings that are connected are connected twice.
+class CutLinks {
+ public:
+  explicit CutLinks(const RingTable& table);
+
+  struct Stop {
+    Rational t;          ///< along the cut
+    std::uint32_t node;  ///< a ring, or a position where cuts of this round meet
+  };
+  /// The next cut: from a ring, over the boundaries of holes, to a ring or, at t, to an earlier cut.
+  struct End {
+    bool on_cut;
+    std::uint32_t index;  ///< ring or cut
+    Rational t;           ///< along that cut
+  };
+  void add(std::uint32_t from, std::vector<Stop> over, const End& end);
+
+  /// Rings connected twice with each other, without the outer one, that only `cut` connects with others.
+  struct Loose {
+    std::vector<std::uint32_t> rings;
+    std::uint32_t cut;
+  };
+  /// The one with the ring of the least rank, or nothing where every cut separates. O(cuts of the round + rings).
+  std::optional<Loose> first_loose();
+
+  /// Requires: there is nothing loose.
+  void close_round();
+
+ private:
+  struct Link {
+    std::uint32_t a, b, cut;
+  };
+  std::uint32_t node_of(const End& end);
+  std::vector<Link> links();
+
+  const RingTable& table_;
+  std::vector<std::uint32_t> ranked_;        ///< rings, for ties
+  UnionFind blocks_;                         ///< of rings
+  std::vector<std::uint32_t> ring_of_;       ///< cut -> ring that it begins at
+  std::vector<std::vector<Stop>> stops_;     ///< per cut of the round, in their order
+  std::uint32_t first_cut_ = 0, meets_ = 0;  ///< of the round
+  bool joins_ = false;                       ///< whether a cut of the round connects different blocks
+};
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Nodes and links, and which links are bridges: the only way between their ends.
+class LinkGraph {
+ public:
+  LinkGraph(std::uint32_t nodes, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& links)
+      : links_(links), at_(nodes), found_(nodes, kNone), low_(nodes), bridge_(links.size(), false) {
+    for (std::uint32_t l = 0; l < links.size(); ++l) {
+      at_[links[l].first].push_back(l);
+      at_[links[l].second].push_back(l);
+    }
+    for (std::uint32_t n = 0; n < nodes; ++n)
+      if (found_[n] == kNone) walk(n);
+  }
+  bool is_bridge(std::uint32_t l) const { return bridge_[l]; }
+
+ private:
+  struct Step {
+    std::uint32_t node, by, next = 0;
+  };
+  // Tarjan: a link of the search tree is a bridge where nothing found below it links to something found above.
+  void walk(std::uint32_t root) {
+    std::vector<Step> stack{{root, kNone}};
+    found_[root] = low_[root] = clock_++;
+    while (!stack.empty()) {
+      const std::uint32_t node = stack.back().node, by = stack.back().by;
+      if (stack.back().next == at_[node].size()) {
+        stack.pop_back();
+        if (by == kNone) continue;
+        const std::uint32_t parent = stack.back().node;
+        low_[parent] = std::min(low_[parent], low_[node]);
+        bridge_[by] = low_[node] > found_[parent];
+        continue;
+      }
+      const std::uint32_t link = at_[node][stack.back().next++];
+      if (link == by) continue;
+      const std::uint32_t other = links_[link].first ^ links_[link].second ^ node;
+      if (found_[other] != kNone) {
+        low_[node] = std::min(low_[node], found_[other]);
+        continue;
+      }
+      found_[other] = low_[other] = clock_++;
+      stack.push_back({other, link});
+    }
+  }
+
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& links_;
+  std::vector<std::vector<std::uint32_t>> at_;
+  std::vector<std::uint32_t> found_, low_;
+  std::vector<bool> bridge_;
+  std::uint32_t clock_ = 0;
+};
+
+CutLinks::CutLinks(const RingTable& table)
+    : table_(table), ranked_(table.ranked_rings()), blocks_(table.ring_count()) {}
+
+std::uint32_t CutLinks::node_of(const End& end) {
+  if (!end.on_cut) return end.index;
+  if (end.index < first_cut_) return ring_of_[end.index];
+  std::vector<Stop>& stops = stops_[end.index - first_cut_];
+  const auto after = std::lower_bound(stops.begin(), stops.end(), end.t,
+                                      [](const Stop& stop, const Rational& t) { return stop.t < t; });
+  if (after->t == end.t) return after->node;
+  return stops.insert(after, {end.t, table_.ring_count() + meets_++})->node;
+}
+
+void CutLinks::add(std::uint32_t from, std::vector<Stop> over, const End& end) {
+  const std::uint32_t other = end.on_cut ? ring_of_[end.index] : end.index;
+  joins_ = joins_ || !blocks_.same(from, other);
+  for (const Stop& stop : over) joins_ = joins_ || !blocks_.same(from, stop.node);
+  over.insert(over.begin(), {Rational(0), from});
+  over.push_back({Rational(1), node_of(end)});
+  std::stable_sort(over.begin(), over.end(), [](const Stop& a, const Stop& b) { return a.t < b.t; });
+  stops_.push_back(std::move(over));
+  ring_of_.push_back(from);
+}
+
+/// The links between rings, each the first of its block, and meets. What begins and ends at one block separates
+/// provably.
+std::vector<CutLinks::Link> CutLinks::links() {
+  const auto block = [&](std::uint32_t node) { return node < table_.ring_count() ? blocks_.root(node) : node; };
+  std::vector<Link> links;
+  for (std::uint32_t c = 0; c < stops_.size(); ++c)
+    for (std::size_t i = 0; i + 1 < stops_[c].size(); ++i) {
+      const std::uint32_t a = block(stops_[c][i].node), b = block(stops_[c][i + 1].node);
+      if (a != b) links.push_back({a, b, first_cut_ + c});
+    }
+  return links;
+}
+
+std::optional<CutLinks::Loose> CutLinks::first_loose() {
+  if (!joins_) return std::nullopt;
+  const std::vector<Link> all = links();
+  const std::uint32_t nodes = table_.ring_count() + meets_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+  for (const Link& link : all) ends.emplace_back(link.a, link.b);
+  const LinkGraph graph(nodes, ends);
+  UnionFind twice(nodes);
+  for (std::uint32_t l = 0; l < all.size(); ++l)
+    if (!graph.is_bridge(l)) twice.unite(all[l].a, all[l].b);
+  std::vector<std::uint32_t> bridges(nodes, 0), cut(nodes, kNone);
+  for (std::uint32_t l = 0; l < all.size(); ++l)
+    if (graph.is_bridge(l))
+      for (const std::uint32_t end : {all[l].a, all[l].b}) {
+        ++bridges[twice.root(end)];
+        cut[twice.root(end)] = all[l].cut;
+      }
+  std::vector<bool> outer(nodes, false);
+  const auto class_of = [&](std::uint32_t ring) { return twice.root(blocks_.root(ring)); };
+  for (std::uint32_t r = 0; r < table_.ring_count(); ++r)
+    if (!table_.is_hole[r]) outer[class_of(r)] = true;
+  std::uint32_t chosen = kNone;
+  Loose loose;
+  for (const std::uint32_t r : ranked_) {
+    const std::uint32_t own = class_of(r);
+    if (chosen == kNone && bridges[own] == 1 && !outer[own]) chosen = own;
+    if (own == chosen) loose.rings.push_back(r);
+  }
+  if (chosen == kNone) return std::nullopt;
+  std::sort(loose.rings.begin(), loose.rings.end());
+  loose.cut = cut[chosen];
+  return loose;
+}
+
+void CutLinks::close_round() {
+  if (joins_) {
+    UnionFind connected(table_.ring_count() + meets_);
+    for (const std::vector<Stop>& stops : stops_)
+      for (const Stop& stop : stops) connected.unite(stop.node, stops.front().node);
+    std::vector<std::uint32_t> first(connected.size(), kNone);
+    for (std::uint32_t r = 0; r < table_.ring_count(); ++r) {
+      std::uint32_t& own = first[connected.root(r)];
+      if (own == kNone) own = r;
+      blocks_.unite(r, own);
+    }
+  }
+  stops_.clear();
+  first_cut_ = std::uint32_t(ring_of_.size());
+  meets_ = 0;
+  joins_ = false;
+}
+
+// The passages of a cut over holes that it ignores.
+
+Rational passage_cross(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+/// Whether a cut through v goes on inside the region.
+bool enters_at(const RingTable& table, std::uint32_t v, const Wall& cut) {
+  const Point at = table.at[v], next = table.at[table.next[v]], previous = table.at[table.previous[v]];
+  const bool right_of_previous = side_of_end(at, previous, cut)<0, left_of_next = side_of_end(at, next, cut)> 0;
+  return exact::orient_sign(previous, at, next) > 0 ? left_of_next && right_of_previous
+                                                    : left_of_next || right_of_previous;
+}
+
+/// The passage at the first end of an edge, where that lies on the cut.
+std::optional<Passage> at_vertex(const RingTable& table, const Wall& edge, const Wall& cut) {
+  if (side_of(cut, edge.a) != 0) return std::nullopt;
+  const RationalPoint from = cut.from(), to = cut.end(), at = edge.from();
+  const Rational dx = to.x - from.x, dy = to.y - from.y;
+  const Rational t = ((at.x - from.x) * dx + (at.y - from.y) * dy) / (dx * dx + dy * dy);
+  if (t.sign() < 0 || t > Rational(1)) return std::nullopt;
+  return Passage{true, edge.index, Rational(0), t, at, enters_at(table, edge.index, cut)};
+}
+
+/// The passage where the cut crosses an edge between its ends.
+std::optional<Passage> inside_edge(const Wall& edge, const Wall& cut) {
+  if (side_of(cut, edge.a) * side_of(cut, edge.b) >= 0) return std::nullopt;
+  const int side = side_of_end(edge.a, edge.b, cut);
+  if (exact::orient_sign(edge.a, edge.b, cut.a) * side >= 0) return std::nullopt;
+  const RationalPoint a = edge.from(), b = edge.end(), from = cut.from(), to = cut.end();
+  const Rational s = passage_cross(a, b, from), t = s / (s - passage_cross(a, b, to));
+  const Rational u = passage_cross(from, to, a);
+  return Passage{false,
+                 edge.index,
+                 u / (u - passage_cross(from, to, b)),
+                 t,
+                 {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)},
+                 side > 0};
+}
+
+/// The positions of a cut on holes of its part that do not stand, in order along it. Exact.
+std::vector<Passage> passages(const RingTable& table, const WallSet& walls, const Wall& cut,
+                              const std::vector<bool>& stands) {
+  std::vector<Passage> over;
+  walls.edges_meeting(cut.box, [&](std::uint32_t e) {
+    const Wall& edge = walls[e];
+    if (stands[edge.ring] || table.part[edge.ring] != table.part[cut.ring]) return;
+    if (std::optional<Passage> passage = at_vertex(table, edge, cut)) over.push_back(*std::move(passage));
+    if (std::optional<Passage> passage = inside_edge(edge, cut)) over.push_back(*std::move(passage));
+  });
+  std::sort(over.begin(), over.end(), [](const Passage& a, const Passage& b) {
+    return a.on_cut != b.on_cut ? a.on_cut < b.on_cut : a.index < b.index;
+  });
+  return over;
+}
+
+/// What of a cut lies inside the region, given where it passes holes.
+std::vector<RationalSegment> runs_of(const Cut& cut, const std::vector<Passage>& over) {
+  std::vector<RationalSegment> runs;
+  RationalPoint from = cut.from;
+  bool inside = true;
+  for (const Passage& p : over) {
+    if (inside && !p.enters) runs.push_back({from, p.at});
+    if (!inside && p.enters) from = p.at;
+    inside = p.enters;
+  }
+  if (inside) runs.push_back({from, cut.to});
+  return runs;
+}
 
 struct Candidate {
   std::uint32_t vertex, wall;

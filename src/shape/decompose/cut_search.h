@@ -8,7 +8,7 @@
 
 #include "base/poll.h"
 #include "dymsum/decomposition.h"
-#include "shape/decompose/ring_table.h"
+#include "shape/decompose/wall_set.h"
 
 namespace dymsum::shape {
 

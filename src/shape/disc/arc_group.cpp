@@ -1,16 +1,174 @@
-#include "shape/disc/arc_group.h"
-
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
-#include "shape/disc/group_discs.h"
+#include "base/scratch.h"
+#include "shape/disc/disc_positions.h"
+#include "shape/disc/level_rings.h"
 
 namespace dymsum::shape {
-
 namespace {
+
+// The corner discs of one connected part of the complex below a level: how they lie to each other.
+
+/// Discs by their place in `indices`. Directions are from a disc's centre.
+class GroupDiscs {
+ public:
+  /// Requires: indices ascend, and are of arcs.discs; all these outlive this.
+  GroupDiscs(const DiscPositions& positions, const ArcSet& arcs, std::vector<std::uint32_t> indices, Point origin);
+
+  /// Whether two discs overlap (1), touch from outside (0) or are apart.
+  int meeting(std::uint32_t i, std::uint32_t j) const;
+  /// Calls meet(i, j, meeting) for all that overlap or touch. O(n log n) and a sign for discs whose x ranges overlap.
+  template <class Meet>
+  void for_each_meeting(const Meet& meet) const {
+    const std::vector<std::uint32_t> by_x = sorted_by_x();
+    for (std::size_t k = 0; k < by_x.size(); ++k)
+      for (std::size_t l = k + 1; l < by_x.size() && may_reach(by_x[k], by_x[l]); ++l)
+        if (const int sign = meeting(by_x[k], by_x[l]); sign >= 0) meet(by_x[k], by_x[l], sign);
+  }
+
+  std::uint32_t local(std::uint32_t disc) const;
+  std::uint32_t disc(std::uint32_t i) const { return indices_[i]; }
+  std::size_t size() const { return indices_.size(); }
+
+  /// Whether disc j touches this vertex.
+  bool touches(std::uint32_t j, const std::optional<Point>& vertex) const;
+  LazyVector centre(std::uint32_t i) const { return centres_[i]; }
+  /// The vector to the centre of j.
+  LazyVector difference(std::uint32_t i, std::uint32_t j) const;
+  /// The vector to where the circle of j is crossed, clockwise of its centre or counter-clockwise.
+  LazyVector towards_circle(std::uint32_t i, std::uint32_t j, bool clockwise) const;
+  /// The vector to where disc i touches a site, at `vertex` if that is none of an edge.
+  LazyVector towards_contact(std::uint32_t i, std::uint32_t site, const std::optional<Point>& vertex) const;
+
+ private:
+  LazyVector centre_of(const CornerDisc& disc) const;
+  std::vector<Point> vertices_of(const CornerDisc& disc) const;
+  std::vector<std::uint32_t> sorted_by_x() const;
+  bool may_reach(std::uint32_t i, std::uint32_t j) const;
+
+  const DiscPositions& positions_;
+  std::vector<std::uint32_t> indices_;
+  Point origin_;
+  std::vector<LazyVector> centres_;
+  std::vector<std::vector<Point>> vertices_;  ///< that they touch
+};
+
+using exact::Interval;
+
+using exact::RootExpression;
+
+GroupDiscs::GroupDiscs(const DiscPositions& positions, const ArcSet& arcs, std::vector<std::uint32_t> indices,
+                       Point origin)
+    : positions_(positions), indices_(std::move(indices)), origin_(origin) {
+  if (indices_.size() < 2) return;
+  for (const std::uint32_t disc : indices_) {
+    centres_.push_back(centre_of(arcs.discs[disc]));
+    vertices_.push_back(vertices_of(arcs.discs[disc]));
+  }
+}
+
+std::uint32_t GroupDiscs::local(std::uint32_t disc) const {
+  return static_cast<std::uint32_t>(std::lower_bound(indices_.begin(), indices_.end(), disc) - indices_.begin());
+}
+
+LazyVector GroupDiscs::centre_of(const CornerDisc& disc) const {
+  LazyVector made;
+  made.exact = [this, disc] { return positions_.exact_centre_from(disc, origin_); };
+  if (disc.at_node) {
+    const auto v = made.exact();
+    made.near = {exact::narrow_interval(v.x), exact::narrow_interval(v.y)};
+  } else {
+    made.near = centre_on_edge(positions_.complex(), disc.index, positions_.level().near, origin_);
+  }
+  return made;
+}
+
+std::vector<Point> GroupDiscs::vertices_of(const CornerDisc& disc) const {
+  const Complex& complex = positions_.complex();
+  std::vector<Point> made;
+  const auto see = [&](std::uint32_t edge) {
+    for (const std::uint32_t site : {complex.edges[edge].left, complex.edges[edge].right})
+      if (complex.sites[site].kind == Site::Kind::vertex) made.push_back(complex.sites[site].a);
+  };
+  if (!disc.at_node) {
+    see(disc.index);
+  } else {
+    for (std::uint32_t i = complex.first_spoke[disc.index]; i < complex.first_spoke[disc.index + 1]; ++i)
+      see(complex.spokes[i].edge);
+  }
+  return made;
+}
+
+bool GroupDiscs::touches(std::uint32_t j, const std::optional<Point>& vertex) const {
+  return vertex && std::find(vertices_[j].begin(), vertices_[j].end(), *vertex) != vertices_[j].end();
+}
+
+std::vector<std::uint32_t> GroupDiscs::sorted_by_x() const {
+  std::vector<std::uint32_t> by_x(centres_.size());
+  std::iota(by_x.begin(), by_x.end(), 0);
+  std::sort(by_x.begin(), by_x.end(), [&](std::uint32_t i, std::uint32_t j) {
+    return std::pair(centres_[i].near.x.low(), i) < std::pair(centres_[j].near.x.low(), j);
+  });
+  return by_x;
+}
+
+bool GroupDiscs::may_reach(std::uint32_t i, std::uint32_t j) const {
+  const double reach = 2 * positions_.level().near.high();
+  return !(centres_[j].near.x.low() - centres_[i].near.x.high() > reach * (1 + 0x1p-50));
+}
+
+int GroupDiscs::meeting(std::uint32_t i, std::uint32_t j) const {
+  const auto reach = [](const auto& a, const auto& b, const auto& r) {
+    const auto d = minus(a, b);
+    return r * r - dot(d, d) / (decltype(r * r)(4));
+  };
+  if (const auto sign = sign_of(reach(centres_[i].near, centres_[j].near, positions_.level().near))) return *sign;
+  return exact::sign_of(reach(centres_[i].exact(), centres_[j].exact(), positions_.level().exact));
+}
+
+LazyVector GroupDiscs::difference(std::uint32_t i, std::uint32_t j) const {
+  LazyVector made;
+  made.near = minus(centres_[j].near, centres_[i].near);
+  made.exact = [this, i, j] { return minus(centres_[j].exact(), centres_[i].exact()); };
+  return made;
+}
+
+LazyVector GroupDiscs::towards_circle(std::uint32_t i, std::uint32_t j, bool clockwise) const {
+  LazyVector made;
+  made.near = crossing(minus(centres_[j].near, centres_[i].near), positions_.level().near, clockwise);
+  made.exact = [this, i, j, clockwise] {
+    return crossing(minus(centres_[j].exact(), centres_[i].exact()), positions_.level().exact, clockwise);
+  };
+  return made;
+}
+
+LazyVector GroupDiscs::towards_contact(std::uint32_t i, std::uint32_t site, const std::optional<Point>& vertex) const {
+  const Site& s = positions_.complex().sites[site];
+  LazyVector made;
+  if (s.kind == Site::Kind::edge) {
+    const auto n = long_normal<Interval>(s);
+    made.near = {-n.x, -n.y};
+    made.exact = [&s] {
+      const auto m = long_normal<RootExpression>(s);
+      return Vector<RootExpression>{-m.x, -m.y};
+    };
+  } else {
+    made.near = minus(between<Interval>(origin_, *vertex), centres_[i].near);
+    made.exact = [this, i, vertex] { return minus(between<RootExpression>(origin_, *vertex), centres_[i].exact()); };
+  }
+  return made;
+}
+
+// The arcs about one connected part of the complex below a level.
 
 std::vector<std::uint32_t> discs_of(const ArcSet& arcs, const std::vector<std::uint32_t>& members) {
   std::vector<std::uint32_t> discs;
@@ -220,8 +378,79 @@ std::uint32_t joined_into(const ArcSet& arcs, std::uint32_t fragment) {
   return fragment;
 }
 
+namespace {
+
+/// Adds the fragments of these arcs, the overlaps and the touches of their discs.
 void cut_group(const DiscPositions& positions, ArcSet& arcs, const std::vector<std::uint32_t>& members) {
   ArcGroup(positions, arcs, members).find();
+}
+
+}  // namespace
+
+// What other discs leave of the arcs of corner discs.
+
+namespace {
+
+/// Nodes below the cut by connected parts.
+UnionFind parts_below(const Complex& complex, std::uint32_t cut) {
+  UnionFind parts(cut);
+  for (const Edge& edge : complex.edges)
+    if (edge.low < cut && edge.high < cut) parts.unite(edge.low, edge.high);
+  return parts;
+}
+
+}  // namespace
+
+void cut_arcs(const DiscPositions& positions, std::uint32_t cut, ArcSet& arcs) {
+  const Complex& complex = positions.complex();
+  UnionFind parts = parts_below(complex, cut);
+  for (std::uint32_t node = 0; node < cut; ++node) arcs.part.push_back(parts.root(node));
+  arcs.is_split.assign(cut, 0);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
+  for (std::uint32_t arc = 0; arc < arcs.arcs.size(); ++arc)
+    groups[parts.root(complex.edges[arcs.arcs[arc].edge].low)].push_back(arc);
+  arcs.first.assign(arcs.arcs.size(), kNoIndex);
+  for (auto& [root, members] : groups) {
+    const std::size_t overlaps = arcs.overlaps.size(), touches = arcs.touches.size();
+    cut_group(positions, arcs, members);
+    arcs.is_split[root] = arcs.overlaps.size() > overlaps || arcs.touches.size() > touches;
+  }
+}
+
+namespace {
+
+/// formula(centre of other - centre of disc, r) as doubles.
+template <class Formula>
+Point between_centres(const DiscPositions& positions, const CornerDisc& disc, const CornerDisc& other,
+                      const Formula& formula) {
+  const Complex& complex = positions.complex();
+  const std::uint32_t edge = disc.at_node ? complex.spokes[complex.first_spoke[disc.index]].edge : disc.index;
+  const Point origin = complex.sites[complex.edges[edge].left].a;
+  if (disc.at_node || other.at_node) {
+    const auto v = formula(minus(positions.exact_centre_from(other, origin), positions.exact_centre_from(disc, origin)),
+                           positions.level().exact);
+    return Point{exact::nearest_double(v.x), exact::nearest_double(v.y)};
+  }
+  return near_vector(
+      [&](const auto& r) {
+        return formula(
+            minus(centre_on_edge(complex, other.index, r, origin), centre_on_edge(complex, disc.index, r, origin)), r);
+      },
+      positions.level(), positions.level().radius);
+}
+
+}  // namespace
+
+Point towards_crossing(const DiscPositions& positions, const CornerDisc& disc, const CornerDisc& other, bool entered) {
+  return between_centres(positions, disc, other,
+                         [&](const auto& d, const auto& r) { return crossing(d, r, !entered); });
+}
+
+Point towards_touch(const DiscPositions& positions, const CornerDisc& disc, const CornerDisc& other) {
+  return between_centres(positions, disc, other, [](const auto& d, const auto& r) {
+    const std::decay_t<decltype(r)> half(0.5);
+    return std::decay_t<decltype(d)>{half * d.x, half * d.y};
+  });
 }
 
 }  // namespace dymsum::shape

@@ -1,7 +1,7 @@
 // The arcs of corner discs from contact to contact.
 #include <map>
 
-#include "shape/disc/disc_arcs.h"
+#include "shape/disc/level_rings.h"
 
 namespace dymsum::shape {
 

@@ -1,8 +1,8 @@
 // The pieces of boundary that a run of positions makes at a level.
 #pragma once
 
-#include "shape/disc/headings.h"
 #include "shape/disc/level_rings.h"
+#include "shape/disc/thin_pieces.h"
 
 namespace dymsum::shape {
 

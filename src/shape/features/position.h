@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "exact/fine_interval.h"
+#include "exact/interval.h"
 #include "shape/complex/complex.h"
 
 namespace dymsum::shape {

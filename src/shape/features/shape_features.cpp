@@ -1,3 +1,5 @@
+#include "shape/features/shape_features.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -5,8 +7,7 @@
 
 #include "base/double_text.h"
 #include "base/poll.h"
-#include "shape/features/canonical_order.h"
-#include "shape/features/feature_state.h"
+#include "shape/features/boundary_loops.h"
 
 namespace dymsum {
 namespace {

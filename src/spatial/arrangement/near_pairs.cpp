@@ -6,10 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "spatial/arrangement/counted_growth.h"
-
 namespace dymsum::spatial {
-
 namespace {
 
 constexpr std::size_t kLeaf = 16;

@@ -1,6 +1,8 @@
 // Pairs of boxes that overlap, for all of them at once.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,6 +11,32 @@
 #include "spatial/mesh/box_tree.h"
 
 namespace dymsum::spatial {
+
+// Arrays that grow faster than the operands: what they take counts with a StageWatch before it is there.
+
+/// Gives back what was held. StageWatch counts modulo 2^64, so that this is the complement.
+inline void give_back(std::size_t bytes, StageWatch& watch) { watch.hold(0 - static_cast<std::uint64_t>(bytes)); }
+
+/// Adds a value; `bytes` for each come with the array, those of its own included. While it grows the old array is there
+/// besides. Throws OverBudget.
+template <class T>
+void add_counted(std::vector<T>& array, const T& value, StageWatch& watch, std::size_t bytes = sizeof(T)) {
+  if (array.size() == array.capacity()) {
+    const std::size_t before = array.capacity(), room = std::max<std::size_t>(16, 2 * before);
+    watch.hold(room * bytes);
+    array.reserve(room);
+    give_back(before * bytes, watch);
+  }
+  array.push_back(value);
+}
+
+/// Frees an array that grew by add_counted().
+template <class T>
+void free_counted(std::vector<T>& array, StageWatch& watch, std::size_t bytes = sizeof(T)) {
+  const std::size_t room = array.capacity();
+  std::vector<T>().swap(array);
+  give_back(room * bytes, watch);
+}
 
 /// Pairs of boxes, those of f with larger ones being others[begin[f]] to others[begin[f + 1]], ascending.
 struct NearPairs {

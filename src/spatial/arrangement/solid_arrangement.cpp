@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "base/free_memory.h"
+#include "base/memory_budget.h"
 
 namespace dymsum::spatial {
 

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "dymsum/solid_union.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/mesh/half_edges.h"
+#include "spatial/mesh/mesh_canonical.h"
+#include "spatial/mesh/mesh_orient.h"
 #include "spatial/mesh/mesh_repair.h"
-#include "spatial/mesh/six_volume.h"
 #include "spatial/mesh/surface_crossings.h"
-#include "spatial/mesh/thin_faces.h"
 #include "spatial/mesh/triangulate.h"
 #include "spatial/mesh/vec3.h"
 

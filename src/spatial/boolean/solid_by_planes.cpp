@@ -9,10 +9,10 @@
 #include <numeric>
 #include <utility>
 
+#include "exact/big.h"
 #include "exact/grid.h"
-#include "exact/orient3.h"
-#include "exact/residue.h"
-#include "spatial/boolean/solid_inside.h"
+#include "exact/orient.h"
+#include "spatial/boolean/solid_union.h"
 #include "spatial/mesh/face_axes.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/mesh_validate.h"

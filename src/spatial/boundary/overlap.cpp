@@ -8,7 +8,7 @@
 #include <array>
 #include <tuple>
 
-#include "spatial/boundary/collision_query.h"
+#include "spatial/boundary/collision.h"
 #include "spatial/boundary/contact_cones.h"
 #include "spatial/convolution/inner_cells.h"
 

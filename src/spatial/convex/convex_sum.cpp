@@ -1,17 +1,117 @@
-#include "dymsum/convex_sum.h"
+#include "spatial/convex/convex_sum.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
-#include "base/budget_error.h"
+#include "base/memory_budget.h"
 #include "dymsum/convex_memory.h"
-#include "spatial/convex/assemble.h"
-#include "spatial/convex/close_facets.h"
-#include "spatial/convex/convex_state.h"
+#include "dymsum/convex_sum.h"
+#include "exact/grid.h"
+#include "spatial/convex/exact_positions.h"
 #include "spatial/convex/facet_corners.h"
 #include "spatial/convex/mixed_volume.h"
+#include "spatial/mesh/vec3.h"
+
+namespace dymsum::spatial {
+namespace {
+
+/// Facets whose corners are still pairs of vertices of the polytopes.
+class Drafts {
+ public:
+  explicit Drafts(const Overlay& overlay) : o_(overlay) {
+    for (int op = 0; op < 2; ++op) {
+      changed_[op].assign(o_.poly(op).face_count(), false);
+      for (const std::uint32_t f : o_.changes().faces[op]) changed_[op][f] = true;
+    }
+    const std::size_t count = o_.poly(0).face_count() + o_.poly(1).face_count() + o_.crossing_count();
+    close_.find(o_);
+    facets.reserve(count);
+    corners.reserve(5 * count);
+  }
+
+  std::vector<ConvexFacets::Facet> facets;
+  std::vector<VertexPair> corners;
+
+  void add_faces() {
+    for (int op = 0; op < 2; ++op)
+      for (std::uint32_t f = 0; f < o_.poly(op).face_count(); ++f) {
+        const std::size_t first = corners.size();
+        const FacetFeatures features =
+            close_.of_face(op, f) ? append_face(o_, op, f, corners) : append_face_and_vertex(o_, op, f, corners);
+        if (corners.size() == first) continue;  // there already, as a face of P
+        close(first, features, changed_[op][f] || (features.parallel != kNoFace && changed_[1][features.parallel]));
+      }
+  }
+
+  void add_crossings() {
+    std::vector<bool> is_new;
+    for (const std::uint32_t id : o_.changes().crossings) {
+      if (id >= is_new.size()) is_new.resize(id + 1);
+      is_new[id] = true;
+    }
+    for (std::uint32_t e = 0; e < o_.poly(0).edge_count(); ++e)
+      for (std::uint32_t id = o_.first_crossing(0, e); id != kNoCrossing; id = o_.crossing(id).next[0]) {
+        const Crossing& c = o_.crossing(id);
+        if (close_.of_crossing(id) && !crosses_properly(o_, c)) continue;
+        const std::size_t first = corners.size();
+        const FacetFeatures features = append_crossing(o_, c, corners);
+        close(first, features, id < is_new.size() && is_new[id]);
+      }
+  }
+
+ private:
+  void close(std::size_t first, const FacetFeatures& features, bool changed) {
+    facets.push_back({first, static_cast<std::uint32_t>(corners.size() - first), changed, features.p, features.q});
+  }
+
+  const Overlay& o_;
+  CloseFacets close_;
+  std::array<std::vector<bool>, 2> changed_;
+};
+
+/// The vertices of all corners by P's, and the index of each corner's.
+void name_corners(const Overlay& overlay, const std::vector<VertexPair>& corners, ConvexFacets& all) {
+  const Polytope &p = overlay.poly(0), &q = overlay.poly(1);
+  std::vector<std::uint32_t> begin(p.vertex_count() + std::size_t{1}, 0);  // by P's vertex
+  for (const VertexPair& c : corners) ++begin[c.p + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> of_p(corners.size());
+  for (std::uint32_t k = 0; k < corners.size(); ++k) of_p[begin[corners[k].p]++] = k;  // begin becomes end
+  all.corners.resize(corners.size());
+  std::vector<std::uint32_t> named(q.vertex_count(),
+                                   0);  // how many vertices there were with the last one of Q's vertex
+  std::uint32_t k = 0;
+  for (std::uint32_t v = 0; v < p.vertex_count(); ++v) {
+    const std::size_t first = all.vertices.size();
+    for (; k < begin[v]; ++k) {
+      const std::uint32_t w = corners[of_p[k]].q;
+      if (named[w] <= first) {
+        all.vertices.push_back({p.source_vertex[v], q.source_vertex[w]});
+        named[w] = static_cast<std::uint32_t>(all.vertices.size());
+      }
+      all.corners[of_p[k]] = named[w] - 1;
+    }
+  }
+}
+
+}  // namespace
+
+ConvexFacets assemble(const Overlay& overlay) {
+  Drafts drafts(overlay);
+  drafts.add_faces();
+  drafts.add_crossings();
+  ConvexFacets all;
+  name_corners(overlay, drafts.corners, all);
+  all.facets = std::move(drafts.facets);
+  return all;
+}
+
+}  // namespace dymsum::spatial
 
 namespace dymsum {
 
@@ -220,6 +320,89 @@ double ConvexSum::volume() const {
   if (const std::optional<double> v = spatial::mixed_volume(state_->overlay, state_->p_factors, state_->q_factors))
     return *v;
   return exact::round_to_double(spatial::exact_mixed_volume(state_->overlay, state_->p_pose, state_->q_pose));
+}
+
+// The vertex that is extreme in a direction: the sum of those of the operands. Ties are decided by position, as then
+// both are of one vertex of the sum: sums of extreme vertices may lie inside its edges and facets.
+
+namespace {
+
+using exact::Big;
+using exact::BigInteger;
+using exact::BigRational;
+using spatial::HalfEdge;
+using spatial::Vec3;
+
+/// A direction, then those that decide ties.
+using Directions = std::array<exact::Vector3<Big>, 4>;
+
+bool rises(const Directions& directions, const exact::Vector3<Big>& along) {
+  for (const exact::Vector3<Big>& d : directions)
+    if (const int s = sign(exact::dot(d, along)); s != 0) return s > 0;
+  return false;
+}
+
+/// Climbs in doubles, then exactly from there: doubles may stop short, but never for long.
+std::uint32_t extreme_vertex(const Polytope& p, Vec3 direction, const Directions& directions) {
+  std::uint32_t v = 0;
+  for (std::size_t steps = 0; steps < p.vertex_count(); ++steps) {
+    double most = 0;
+    std::uint32_t best = v;
+    for (const HalfEdge h : p.leaving(v)) {
+      const double rise = dot(direction, p.along(h));
+      if (rise <= most) continue;
+      most = rise;
+      best = p.target(h);
+    }
+    if (best == v) break;
+    v = best;
+  }
+  for (bool climbs = true; climbs;) {
+    climbs = false;
+    for (const HalfEdge h : p.leaving(v)) {
+      if (!rises(directions, p.edge_vector<Big>(h))) continue;
+      v = p.target(h);
+      climbs = true;
+      break;
+    }
+  }
+  return v;
+}
+
+}  // namespace
+
+ConvexSum::Support ConvexSum::support(Point3 direction) const {
+  const State& s = *state_;
+  const std::array<double, 3> d{direction.x, direction.y, direction.z};
+  for (const double c : d)
+    if (!std::isfinite(c)) throw std::invalid_argument("ConvexSum::support: the direction is not finite");
+  const int exponent = exact::common_exponent(d);
+  std::array<Big, 3> b;
+  for (std::size_t k = 0; k < 3; ++k) b[k] = exact::grid_coordinate<Big>(d[k], exponent);
+  std::array<std::uint32_t, 2> v{};
+  for (int op = 0; op < 2; ++op) {
+    const spatial::ExactPose pose = spatial::ExactPose::of(op == 0 ? s.p_pose : s.q_pose);
+    // Turned back into the operand's own coordinates: m^T d. The vertex of the sum that comes last in the order by the
+    // direction, x, y and z is the sum of those of the operands.
+    std::array<Big, 3> back;
+    for (std::size_t c = 0; c < 3; ++c)
+      back[c] = Big(pose.matrix[c]) * b[0] + Big(pose.matrix[3 + c]) * b[1] + Big(pose.matrix[6 + c]) * b[2];
+    const auto row = [&](std::size_t k) {
+      return exact::Vector3<Big>{Big(pose.matrix[k]), Big(pose.matrix[k + 1]), Big(pose.matrix[k + 2])};
+    };
+    const Directions directions{exact::Vector3<Big>{back[0], back[1], back[2]}, row(0), row(3), row(6)};
+    v[op] =
+        extreme_vertex(s.poly(op), spatial::rounded(directions[0], -spatial::bit_length(directions[0])), directions);
+  }
+  Support result;
+  result.vertex = {s.p->source_vertex[v[0]], s.q->source_vertex[v[1]]};
+  const spatial::ExactPositions positions(*s.source, s.p_pose, s.q_pose);
+  const spatial::BigVector x = positions.of(0, result.vertex.p), y = positions.of(1, result.vertex.q);
+  const auto rounded = [&](std::size_t k) {
+    return exact::round_to_double(BigRational(BigInteger(x[k] + y[k])) * positions.unit());
+  };
+  result.at = {rounded(0), rounded(1), rounded(2)};
+  return result;
 }
 
 }  // namespace dymsum

@@ -2,14 +2,24 @@
 // maps, for one face or crossing at a time.
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
 #include "dymsum/convex_sum.h"
-#include "spatial/convex/vertex_pair.h"
 #include "spatial/gauss/overlay.h"
 
 namespace dymsum::spatial {
+
+// A vertex of a sum.
+
+/// A vertex of P plus a vertex of Q, as indices of the polytopes.
+struct VertexPair {
+  std::uint32_t p = 0, q = 0;
+  friend auto operator<=>(const VertexPair&, const VertexPair&) = default;
+};
+constexpr VertexPair kNoPair{~std::uint32_t{0}, ~std::uint32_t{0}};
 
 /// The features of P and Q whose sum a facet is, and, where a face faces the same way as one of the other operand, the
 /// index of that.
@@ -36,5 +46,23 @@ bool crosses_properly(const Overlay& overlay, const Crossing& crossing);
 SolidFeature vertex_feature(const Polytope& p, std::uint32_t v);
 SolidFeature edge_feature(const Polytope& p, std::uint32_t a, std::uint32_t b);
 SolidFeature face_feature(const Polytope& p, std::uint32_t f);
+
+// The facets of a sum that have to be looked at exactly.
+
+/// The facets of an overlay of merged operands for which something may be truly zero. Of all others its words say what
+/// they are: append_face_and_vertex, and a crossing that crosses_properly.
+class CloseFacets {
+ public:
+  /// O(faces + crossings). No memory is allocated once warm.
+  void find(const Overlay& overlay);
+  bool of_face(int op, std::uint32_t f) const { return faces_[op][f] != 0; }
+  bool of_crossing(std::uint32_t id) const { return crossings_[id] != 0; }
+  /// Memory held beside this.
+  std::size_t bytes() const { return faces_[0].capacity() + faces_[1].capacity() + crossings_.capacity(); }
+
+ private:
+  std::array<std::vector<std::uint8_t>, 2> faces_;
+  std::vector<std::uint8_t> crossings_;
+};
 
 }  // namespace dymsum::spatial

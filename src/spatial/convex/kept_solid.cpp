@@ -4,6 +4,87 @@
 #include <utility>
 
 namespace dymsum::spatial {
+
+void KeptVertices::leave(std::span<const std::uint32_t> corners) {
+  if (++stamp_ == 0) {
+    std::fill(left_.begin(), left_.end(), 0);
+    stamp_ = 1;
+  }
+  for (const std::uint32_t v : corners) {
+    left_[v] = stamp_;
+    if (--uses_[v] == 0) unused_.push_back(v);
+  }
+}
+
+std::uint32_t KeptVertices::index_for(VertexPair pair) {
+  if (free_.empty()) {
+    pairs_.push_back(pair);
+    uses_.push_back(0);
+    left_.push_back(0);
+    return static_cast<std::uint32_t>(pairs_.size() - 1);
+  }
+  const std::uint32_t v = free_.back();
+  free_.pop_back();
+  pairs_[v] = pair;
+  return v;
+}
+
+void KeptVertices::drop_unused(std::vector<std::uint32_t>& gone) {
+  gone.clear();
+  for (const std::uint32_t v : unused_) {
+    if (uses_[v] > 0 || pairs_[v] == kNoPair) continue;
+    index_.erase(pairs_[v]);
+    pairs_[v] = kNoPair;
+    gone.push_back(v);
+  }
+  unused_.clear();
+  std::sort(gone.begin(), gone.end());
+  // The smallest one is taken first.
+  free_.insert(free_.end(), gone.rbegin(), gone.rend());
+}
+
+CrossingSlots::Edges CrossingSlots::edges_now(const Overlay& overlay, std::uint32_t id) {
+  if (id >= overlay.crossing_indices() || !overlay.is_crossing(id)) return {};
+  return {overlay.crossing(id).p, overlay.crossing(id).q};
+}
+
+/// The slots of crossings that differ are handed out again, first to those that had one, then to the others.
+void CrossingSlots::keep(const Overlay& overlay) {
+  for (std::vector<Moved>* list : {&before_, &now_}) list->clear(), list->reserve(slot_.capacity());
+  vacant_.clear(), vacant_.reserve(slot_.capacity());
+  for (std::uint32_t id = 0; id < slot_.size(); ++id) {
+    const Edges now = edges_now(overlay, id), before = seen(id);
+    if (now.key() == before.key()) continue;
+    before_.push_back({before.key(), slot_[id]});
+    now_.push_back({now.key(), id});
+  }
+  const auto in_order = [](const Moved& a, const Moved& b) { return a.key != b.key ? a.key < b.key : a.at < b.at; };
+  std::sort(before_.begin(), before_.end(), in_order);
+  std::sort(now_.begin(), now_.end(), in_order);
+  auto was = before_.begin();
+  std::size_t others = 0;
+  for (const Moved& is : now_) {
+    for (; was != before_.end() && was->key < is.key; ++was) vacant_.push_back(was->at);
+    if (is.key == Edges().key() || was == before_.end() || was->key != is.key) {
+      now_[others++] = is;
+      continue;
+    }
+    slot_[is.at] = was->at;
+    ++was;
+  }
+  for (; was != before_.end(); ++was) vacant_.push_back(was->at);
+  // Vacant indices are taken in order, so that most crossings keep theirs.
+  std::sort(vacant_.begin(), vacant_.end());
+  std::sort(now_.begin(), now_.begin() + static_cast<std::ptrdiff_t>(others),
+            [](const Moved& a, const Moved& b) { return a.at < b.at; });
+  for (std::size_t k = 0; k < others; ++k) slot_[now_[k].at] = vacant_[k];
+}
+
+std::size_t CrossingSlots::bytes() const {
+  const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
+  return of(slot_, seen_, before_, now_, vacant_);
+}
+
 namespace {
 
 constexpr std::uint32_t kNothing = ~std::uint32_t{0};

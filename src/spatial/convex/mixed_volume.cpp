@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "spatial/convex/exact_positions.h"
-#include "spatial/convex/posed_doubles.h"
-#include "spatial/mesh/compensated_sum.h"
 #include "spatial/mesh/wide_sum.h"
 
 namespace dymsum::spatial {

@@ -7,9 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "exact/fine_interval.h"
-#include "exact/vector3.h"
-#include "exact/wide_interval.h"
+#include "exact/int.h"
+#include "exact/interval.h"
 #include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "exact/orient3.h"
+#include "exact/orient.h"
 
 namespace dymsum::spatial {
 

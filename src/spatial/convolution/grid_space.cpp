@@ -6,11 +6,9 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
-#include "exact/binary_parts.h"
+#include "exact/big.h"
 #include "exact/fraction.h"
-#include "spatial/mesh/fine_coordinate.h"
-#include "spatial/mesh/grid_points.h"
-#include "spatial/mesh/rounded_vector.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::exact {
 
@@ -88,9 +86,8 @@ template <class C>
 bool have_residues(const std::vector<Vector3<C>>& points) {
   if constexpr (std::is_same_v<C, Fraction>) {
     const auto has_none = [](const Fraction& c) { return exact::residue(Big(c.below())) == 0; };
-    return std::none_of(points.begin(), points.end(), [&](const Vector3<Fraction>& v) {
-      return has_none(v.x) || has_none(v.y) || has_none(v.z);
-    });
+    return std::none_of(points.begin(), points.end(),
+                        [&](const Vector3<Fraction>& v) { return has_none(v.x) || has_none(v.y) || has_none(v.z); });
   }
   return true;
 }

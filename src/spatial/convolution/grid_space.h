@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "exact/vector3.h"
+#include "exact/int.h"
 #include "spatial/convolution/fine_space.h"
 #include "spatial/convolution/sum_space.h"
 

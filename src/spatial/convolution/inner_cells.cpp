@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/shared_byte.h"
-#include "spatial/convolution/direction.h"
+#include "base/parallel.h"
+#include "spatial/convolution/reduced_facets.h"
 
 namespace dymsum::spatial {
 

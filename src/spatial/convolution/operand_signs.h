@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "dymsum/mesh.h"
+#include "exact/big.h"
 #include "exact/fraction.h"
-#include "exact/orient3.h"
-#include "exact/vector3.h"
+#include "exact/int.h"
+#include "exact/orient.h"
 
 namespace dymsum::spatial {
 

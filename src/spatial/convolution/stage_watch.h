@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "base/parallel_sort.h"
 #include "base/poll.h"
-#include "base/stopwatch.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum::spatial {

@@ -24,11 +24,10 @@
 #include <vector>
 
 #include "dymsum/mesh.h"
+#include "exact/algebraic_root.h"
+#include "exact/big.h"
 #include "exact/fraction.h"
-#include "exact/residue.h"
-#include "exact/root_value.h"
-#include "exact/rung.h"
-#include "spatial/mesh/grid_positions.h"
+#include "exact/orient.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "spatial/events/meeting_list.h"
+#include "spatial/events/meeting_point.h"
 
 namespace dymsum::spatial {
 

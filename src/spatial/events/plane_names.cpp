@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "exact/residue.h"
-#include "spatial/moving/shape_hashes.h"
+#include "exact/big.h"
+#include "spatial/moving/sum_shape.h"
 
 namespace dymsum::spatial {
 

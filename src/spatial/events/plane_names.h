@@ -2,8 +2,8 @@
 // of features names a face.
 #pragma once
 
+#include "spatial/motion/posed_pair.h"
 #include "spatial/motion/rotation_forms.h"
-#include "spatial/motion/scaling_pair.h"
 
 namespace dymsum::spatial {
 

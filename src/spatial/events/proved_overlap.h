@@ -3,8 +3,8 @@
 
 #include "spatial/convolution/reduced_facets.h"
 #include "spatial/mesh/box_tree.h"
-#include "spatial/motion/scaling_pair.h"
-#include "spatial/moving/inner_balls.h"
+#include "spatial/motion/posed_pair.h"
+#include "spatial/moving/inner_facets.h"
 
 namespace dymsum::spatial {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "spatial/events/rotation_candidates.h"
-#include "spatial/moving/inner_balls.h"
+#include "spatial/moving/inner_facets.h"
 
 namespace dymsum::spatial {
 

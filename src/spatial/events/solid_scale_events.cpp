@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
-#include "exact/rational_order.h"
+#include "exact/big.h"
 #include "planar/operand/scale_value.h"
 #include "spatial/events/plane_names.h"
 #include "spatial/events/scale_judge.h"
 #include "spatial/motion/beside_origin.h"
-#include "spatial/motion/computed_scale.h"
-#include "spatial/moving/posed_sum.h"
+#include "spatial/motion/posed_pair.h"
+#include "spatial/moving/moving_solid_sum.h"
 #include "spatial/moving/sum_shape.h"
 
 namespace dymsum {

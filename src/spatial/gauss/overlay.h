@@ -3,20 +3,203 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "exact/one_rounding.h"
+#include "exact/rounding_bound.h"
 #include "spatial/gauss/arc_crossings.h"
-#include "spatial/gauss/face_pairs.h"
-#include "spatial/gauss/face_visits.h"
-#include "spatial/gauss/leap_scratch.h"
+#include "spatial/gauss/polytope.h"
 #include "spatial/gauss/signs.h"
 
+namespace dymsum::exact {
+
+// Making up for a single rounding.
+
+/// Factors of a positive number x = fl(y): fl(x kUp) >= y and fl(x kDown) <= y, as either moves x by a unit in its last
+/// place at least.
+inline constexpr double kUp = 1 + 2 * kRoundoff, kDown = 1 - 2 * kRoundoff;
+
+}  // namespace dymsum::exact
+
 namespace dymsum::spatial {
+
+// What a long move finds while it walks along all arcs of one operand, kept from move to move.
+
+struct LeapScratch {
+  /// An arc of the walker that is walked, ...
+  struct Walk {
+    Vec3 row;                    // of the face to reach, where there is one
+    std::array<float, 3> along;  // its edge's direction, mapped
+    HalfEdge h;                  // the direction in which it is walked
+    std::uint32_t v;             // the cell at hand
+    std::uint32_t goal;          // the face to reach, or the last cell
+    std::uint32_t after;         // the crossing found after which the next one is put, in the order of the edge's arc
+  };
+  /// ... a crossing found, in lists along the arcs of both operands, ...
+  struct Found {
+    std::uint32_t e;
+    HalfEdge over;
+    std::uint32_t next, next_across, id;
+  };
+  /// ... and an arc of the other operand: the first of its crossings in any order, the cells of its ends.
+  struct Across {
+    std::uint32_t first, count, begin, end;
+  };
+  std::vector<Walk> walks;
+  std::vector<Found> found;
+  std::vector<Across> across;
+  std::vector<std::uint32_t> walking, joining;
+  std::vector<std::uint8_t> altered;
+  std::vector<std::uint32_t> also_chords;  ///< edges by which a visit goes to a face of a pair
+  std::vector<std::uint32_t> on_arcs;      ///< faces whose walk has come to an arc on which they may lie
+
+  std::size_t bytes() const {
+    const auto of = [](const auto&... v) { return (std::size_t{0} + ... + (v.capacity() * sizeof(v[0]))); };
+    return of(walks, found, across, walking, joining, altered, also_chords, on_arcs);
+  }
+};
+
+// Faces of P and Q that truly face the same way.
+
+constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
+
+struct FacePair {
+  std::uint32_t p, q;
+  friend auto operator<=>(const FacePair&, const FacePair&) = default;
+};
+
+/// The pairs, also by either face, and the cells in which the arcs of half-edges of such faces begin
+/// (overlay_parallel.cpp).
+struct FacePairs {
+  std::vector<FacePair> all, parted;  ///< those now, and those of the move before
+  std::array<std::vector<std::uint32_t>, 2> parallel, start;
+
+  FacePairs(const Polytope& p, const Polytope& q);
+
+  /// That faces of `all` are parallel; that they are not.
+  void join();
+  void part();
+  /// The cell that the arc of each half-edge of face f of operand op, which is parallel to face g of the other one,
+  /// begins in. Going round f, the arcs turn one way, and so do the cells. Calls changed(half-edge) for those that it
+  /// changes.
+  template <class Changed>
+  void start_arcs(const Signs& signs, int op, std::uint32_t f, std::uint32_t g, const Changed& changed);
+
+ private:
+  int side_beyond(const Signs& signs, int op, HalfEdge mine, HalfEdge other) const;
+};
+
+template <class Changed>
+void FacePairs::start_arcs(const Signs& signs, int op, std::uint32_t f, std::uint32_t g, const Changed& changed) {
+  const Polytope &mine = signs.poly(op), &other = signs.poly(1 - op);
+  HalfEdge at = other.first[g];  // leaves the cell at hand
+  HalfEdge h = mine.first[f];
+  std::uint32_t turned = 0;
+  do {
+    // The next one while it rises; at first, from a vertex that may be on the far side, until one is reached that does.
+    const auto rises = [&](HalfEdge edge) { return side_beyond(signs, op, h, edge) > 0; };
+    if (h == mine.first[f])
+      while (!rises(at)) at = other.next[at];
+    while (rises(at)) {
+      at = other.next[at];
+      if (++turned > 4 * (other.edge_count() + 1))
+        throw std::logic_error("Overlay: a face without an outermost vertex");
+    }
+    std::uint32_t& begin = start[op][h];
+    if (begin != other.origin[at]) {
+      begin = other.origin[at];
+      changed(h);
+    }
+    h = mine.next[h];
+  } while (h != mine.first[f]);
+}
+
+// The order in which the faces of a Gauss map are visited, each from another one.
+
+/// All faces, each but the first after a neighbour.
+struct FaceVisits {
+  struct Visit {
+    std::uint32_t face, from;  ///< and that neighbour
+    HalfEdge via;              ///< its half-edge between them
+    /// A face before it to climb from: the neighbour, or, round a face of many edges, the one visited from there just
+    /// before, as neighbours round such a face are closer to each other than to it.
+    std::uint32_t near;
+  };
+  std::vector<Visit> all;
+
+  explicit FaceVisits(const Polytope& solid);
+};
+
+/// How moves walk along all arcs of one operand: from face to face by its visits, then along the rest.
+struct ArcPlan {
+  std::vector<std::uint32_t> levels;  ///< where visits as far from the first face begin; one more at the end
+  std::vector<std::uint32_t> chords;  ///< edges that no visit goes by
+
+  ArcPlan(const Polytope& solid, const FaceVisits& visits);
+};
+
+// The edge of a cell across which an arc leaves it.
+
+/// The edge at a vertex of many edges, see below: runs of faces on one side of the circle are passed at once. It is
+/// kept out of the loops that walk, which it would slow down.
+template <class Value, class Sign>
+[[gnu::noinline]] std::uint32_t leaving_slot_of_many(const Polytope& other, std::uint32_t v, const RingBounds& bounds,
+                                                     Vec3 along, double error, const Value& value, const Sign& sign) {
+  const std::uint32_t begin = other.ring_start[v], size = other.ring_start[v + 1] - begin;
+  const auto is_left = [&](std::uint32_t k) {
+    const double side = value(begin + k);
+    return std::abs(side) > error ? side > 0 : sign(begin + k) > 0;
+  };
+  std::uint32_t exit = size;
+  bool right = is_left(size - 1);
+  bounds.signs(along, error, [&](std::uint32_t first, std::uint32_t last, int side) {
+    for (std::uint32_t k = first; k < last && exit == size; ++k) {
+      const bool left = side == 0 ? is_left(k) : side > 0;
+      if (left && !right) exit = k;
+      right = left;
+      if (side != 0) break;  // all alike
+    }
+    return exit != size;
+  });
+  if (exit == size) throw std::logic_error("Overlay: an arc does not leave a cell that it enters");
+  return begin + exit;
+}
+
+/// An arc that enters the cell of vertex v of `other` and does not end there leaves it across the arc of the half-edge
+/// from v whose left face lies on the left of the arc's circle and whose right face lies on its right: the circle
+/// crosses the boundary of a convex cell once outwards. Its slot in the ring. `value(slot)` is, within `error`, on
+/// which side the face on the left of a slot lies, its product with `along`; `sign(slot)` says it exactly.
+template <class Value, class Sign>
+std::uint32_t leaving_slot(const Polytope& other, std::uint32_t v, Vec3 along, double error, const Value& value,
+                           const Sign& sign) {
+  if (const RingBounds* bounds = other.bounds(other.normal_bounds, v))
+    return leaving_slot_of_many(other, v, *bounds, along, error, value, sign);
+  const std::uint32_t begin = other.ring_start[v], size = other.ring_start[v + 1] - begin;
+  // Bit k: the face on the left of half-edge k of the ring lies on the left of the circle; the face on its right is
+  // that of the one before it.
+  static_assert(RingBounds::kManyEdges <= 64);
+  std::uint64_t left = 0, doubt = 0;
+  for (std::uint32_t k = 0; k < size; ++k) {
+    const double side = value(begin + k);
+    left |= std::uint64_t{side > 0} << k;
+    doubt |= std::uint64_t{!(std::abs(side) > error)} << k;
+  }
+  for (; doubt != 0; doubt &= doubt - 1) {
+    const int k = std::countr_zero(doubt);
+    left &= ~(std::uint64_t{1} << k);
+    left |= std::uint64_t{sign(begin + static_cast<std::uint32_t>(k)) > 0} << k;
+  }
+  const std::uint64_t right = (left << 1) | (left >> (size - 1));
+  const std::uint64_t exits = left & ~right;
+  if (exits != 0) return begin + static_cast<std::uint32_t>(std::countr_zero(exits));
+  throw std::logic_error("Overlay: an arc does not leave a cell that it enters");
+}
 
 /// What one update did.
 struct OverlayWork {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "spatial/gauss/most_rise.h"
 #include "spatial/gauss/overlay.h"
+#include "spatial/gauss/polytope.h"
 
 namespace dymsum::spatial {
 

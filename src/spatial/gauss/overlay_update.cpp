@@ -3,9 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "spatial/gauss/leaving_slot.h"
-#include "spatial/gauss/most_rise.h"
 #include "spatial/gauss/overlay.h"
+#include "spatial/gauss/polytope.h"
 
 namespace dymsum::spatial {
 namespace {

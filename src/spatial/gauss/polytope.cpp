@@ -8,8 +8,7 @@
 
 #include "exact/grid.h"
 #include "exact/rounding_bound.h"
-#include "spatial/mesh/compensated_sum.h"
-#include "spatial/mesh/rounded_vector.h"
+#include "spatial/mesh/vec3.h"
 #include "spatial/mesh/wide_sum.h"
 
 namespace dymsum::spatial {

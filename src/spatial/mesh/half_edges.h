@@ -4,9 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "dymsum/mesh.h"
+#include "dymsum/region.h"
+#include "exact/orient.h"
 
 namespace dymsum::spatial {
 
@@ -54,5 +58,73 @@ struct Shells {
   std::uint32_t count = 0;
 };
 Shells find_shells(const HalfEdges& edges);
+
+// The plane of a face, exactly, by three of its vertices.
+
+/// Three vertices of a face, not on one line, that run counter-clockwise seen from the face's outside, and an axis on
+/// which the face's normal is not zero, with its sign there.
+struct FacePlane {
+  std::uint32_t a = 0, b = 0, c = 0;
+  exact::Axis axis = exact::Axis::z;
+  int axis_sign = 0;
+};
+
+/// The plane by a strictly convex corner: the lexicographically smallest vertex between its neighbours. Requires a
+/// valid face. Exact. O(k).
+FacePlane face_plane(const std::vector<Point3>& vertices, const Face& face);
+
+/// The sign of p's height over the face: > 0 outside.
+inline int height_sign(const std::vector<Point3>& vertices, const FacePlane& plane, const Point3& p) {
+  return exact::orient3_sign(vertices[plane.a], vertices[plane.b], vertices[plane.c], p);
+}
+
+/// > 0 when c is to the left of the direction from a to b, seen from the face's outside; all in the face's plane.
+inline int turn_sign(const FacePlane& plane, const Point3& a, const Point3& b, const Point3& c) {
+  return plane.axis_sign * exact::normal_sign(a, b, c, plane.axis);
+}
+
+/// The face in its projection along the plane's axis, counter-clockwise.
+Ring projected(const std::vector<Point3>& vertices, const Face& face, const FacePlane& plane);
+
+/// What is wrong with a face by itself, with `vertex` and the position: no_area, not_planar, self_crossing. Requires at
+/// least three vertices at different positions. Exact. O(k log k).
+std::optional<Error> face_error(const std::vector<Point3>& vertices, const Face& face);
+
+// How the faces of a mesh meet at its edges.
+
+enum class Bend {
+  flat,    ///< in one plane, side by side
+  convex,  ///< the solid's angle is below 180 degrees
+  reflex,  ///< above
+  folded   ///< in one plane, on top of each other: an angle of 0 or 360 degrees
+};
+
+/// The planes of all faces, by face_plane.
+std::vector<FacePlane> face_planes(const MeshData& data);
+
+/// How the two faces at half-edge h meet. Requires valid faces and a twin. Exact. O(k) for k collinear vertices there.
+Bend edge_bend(const MeshData& data, const HalfEdges& edges, const std::vector<FacePlane>& planes, std::uint32_t h);
+
+// Edges at which a solid touches itself: more than two faces, in their order around the edge.
+
+/// Two sides of one edge, neighbours around it, that run through it in the same direction or lie on each other: no
+/// solid has them.
+struct SideClash {
+  std::uint32_t half_edge = 0, other = 0;
+};
+
+/// Joins the sides of every edge as twins, where more than two meet those with the solid's inside between them.
+/// Requires faces that are valid by themselves and as many sides of every edge in one direction as in the other.
+/// Returns a clash, if there is one. Exact. O(k log k) for k sides of an edge.
+std::optional<SideClash> join_around(HalfEdges& edges, const std::vector<EdgeSide>& sides, const MeshData& data);
+
+/// Membranes: the faces that have to be left out so that those at every edge bound inside and outside by turns, each
+/// with the inside on both sides of it. What faces of two sides join is one whole, and left out as such. Empty where
+/// there are none, where edges contradict each other, or one has a single face. Requires faces that are valid by
+/// themselves. Exact. O(n log n).
+std::vector<bool> membranes(const MeshData& data);
+
+/// The half-edges of a valid mesh, all with twins.
+HalfEdges half_edges(const MeshData& valid);
 
 }  // namespace dymsum::spatial

@@ -2,20 +2,71 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 
-#include "exact/orient3.h"
-#include "spatial/mesh/edge_bend.h"
-#include "spatial/mesh/edge_order.h"
+#include "exact/orient.h"
 #include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/mesh_validate.h"
-#include "spatial/mesh/thin_faces.h"
+
+namespace dymsum::spatial {
+
+std::vector<bool> thin_faces(const std::vector<Face>& faces) {
+  std::vector<bool> thin(faces.size());
+  bool any = false;
+  std::vector<Face> with_area;
+  std::vector<std::uint32_t> origin;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    thin[f] = faces[f].size() < 3;
+    any |= thin[f];
+    if (thin[f]) continue;
+    with_area.push_back(faces[f]);
+    origin.push_back(f);
+  }
+  const HalfEdges edges = half_edges_without_twins(with_area);
+  const std::vector<EdgeSide> sides = edge_sides(edges);
+  std::vector<std::size_t> first_of(edges.size()), last_of(edges.size()), left(edges.size());
+  std::vector<std::uint32_t> open;  // faces that turned out to be thin
+  const auto drop = [&](std::uint32_t f) {
+    if (thin[origin[f]]) return;
+    thin[origin[f]] = any = true;
+    open.push_back(f);
+  };
+  for_each_edge(sides, [&](const EdgeSide* first, const EdgeSide* last) {
+    for (const EdgeSide* s = first; s != last; ++s) {
+      first_of[s->half_edge] = static_cast<std::size_t>(first - sides.data());
+      last_of[s->half_edge] = static_cast<std::size_t>(last - sides.data());
+    }
+    left[first->half_edge] = static_cast<std::size_t>(last - first);
+    if (last - first == 1) drop(edges.face[first->half_edge]);
+  });
+  while (!open.empty()) {
+    const std::uint32_t f = open.back();
+    open.pop_back();
+    for (std::uint32_t h = edges.face_begin[f]; h < edges.face_begin[f + 1]; ++h) {
+      if (--left[sides[first_of[h]].half_edge] != 1) continue;
+      for (std::size_t s = first_of[h]; s < last_of[h]; ++s) drop(edges.face[sides[s].half_edge]);
+    }
+  }
+  if (!any) thin.clear();
+  return thin;
+}
+
+MeshData solid_part(const Mesh& mesh) {
+  if (!mesh.has_thin_parts()) return mesh.data();
+  MeshData solid{mesh.vertices(), {}};
+  for (std::size_t f = 0; f < mesh.faces().size(); ++f)
+    if (!mesh.thin_faces()[f]) solid.faces.push_back(mesh.faces()[f]);
+  return solid;
+}
+
+}  // namespace dymsum::spatial
 
 namespace dymsum {
 
 namespace spatial {
-
 namespace {
 
 constexpr std::uint32_t kNone = HalfEdges::kNone;
@@ -159,6 +210,63 @@ Mesh Mesh::canonical() const {
 
 bool operator==(const Mesh& a, const Mesh& b) {
   return a.data_ == b.data_ || a.canonical().data_ == b.canonical().data_;
+}
+
+// Whether a mesh bounds a convex solid.
+//
+// Faces of a mesh meet only where they share an edge or a vertex, and each fan of them goes around its vertex once.
+// Where no edge is reflex, a small sphere around a point of the surface cuts the material of a fan in a region whose
+// boundary is a simple polygon without reflex corners, and that is convex: the surface is locally convex. A connected
+// closed surface that is locally convex bounds a convex solid, also if it were allowed to touch itself (van Heijenoort
+// 1952).
+
+namespace spatial {
+namespace {
+
+Error not_convex(std::string message, std::uint32_t face) {
+  Error error{ErrorCode::not_convex, std::move(message), {}};
+  error.evidence.face = face;
+  return error;
+}
+
+Error bad_edge(const MeshData& data, const HalfEdges& edges, std::uint32_t h, Bend bend) {
+  Error error =
+      not_convex(bend == Bend::reflex ? "an edge is reflex" : "two faces lie on top of each other", edges.face[h]);
+  const std::uint32_t v = edges.origin[h];
+  error.evidence.other_face = edges.face[edges.twin[h]];
+  error.evidence.vertex = v;
+  error.evidence.other_vertex = edges.target(h);
+  error.evidence.x = data.vertices[v].x;
+  error.evidence.y = data.vertices[v].y;
+  error.evidence.z = data.vertices[v].z;
+  return error;
+}
+
+}  // namespace
+}  // namespace spatial
+
+std::optional<Error> convexity_error(const Mesh& mesh) {
+  using namespace spatial;
+  if (mesh.empty()) return Error{ErrorCode::no_area, "the mesh is empty", {}};
+  if (mesh.has_thin_parts()) {
+    const std::vector<bool>& thin = mesh.thin_faces();
+    const auto first = std::find(thin.begin(), thin.end(), true) - thin.begin();
+    return not_convex("the mesh has parts without volume", static_cast<std::uint32_t>(first));
+  }
+  const MeshData& data = mesh.data();
+  const HalfEdges edges = half_edges(data);
+  if (mesh.shell_count() > 1) {
+    const Shells shells = find_shells(edges);
+    const auto second = std::find(shells.of_face.begin(), shells.of_face.end(), 1u);
+    return not_convex("the mesh has several shells", static_cast<std::uint32_t>(second - shells.of_face.begin()));
+  }
+  const std::vector<FacePlane> planes = face_planes(data);
+  for (std::uint32_t h = 0; h < edges.size(); ++h) {
+    if (h > edges.twin[h]) continue;
+    const Bend bend = edge_bend(data, edges, planes, h);
+    if (bend == Bend::reflex || bend == Bend::folded) return bad_edge(data, edges, h, bend);
+  }
+  return std::nullopt;
 }
 
 }  // namespace dymsum

@@ -2,16 +2,217 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <optional>
 #include <vector>
 
-#include "spatial/mesh/edge_order.h"
-#include "spatial/mesh/face_plane.h"
-#include "spatial/mesh/shell_nesting.h"
-#include "spatial/mesh/six_volume.h"
+#include "exact/orient.h"
+#include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/surface_crossings.h"
 #include "spatial/mesh/triangulate.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
+namespace {
+
+using exact::Big;
+using exact::BigInteger;
+using exact::BigRational;
+using exact::Int;
+
+// A sum of fewer than 2^32 determinants of vertices' differences: B + 1 bits each, determinants 3B + 6, sums 3B + 38.
+template <class C>
+struct Widths {
+  using Sum = Big;
+};
+template <int B>
+struct Widths<Int<B>> {
+  using Difference = GridPoint<Int<B + 1>>;
+  using Determinant = decltype(exact::determinant(Difference{}, Difference{}, Difference{}));
+  static_assert(Determinant::kBits == 3 * B + 6);
+  using Sum = Int<Determinant::kBits + 32>;
+};
+static_assert(Widths<Int<29>>::Sum::kBits == 125 && sizeof(Widths<Int<29>>::Sum) == 16);
+static_assert(Widths<Int<61>>::Sum::kBits == 221 && sizeof(Widths<Int<61>>::Sum) == 32);
+static_assert(Widths<Int<125>>::Sum::kBits == 413 && sizeof(Widths<Int<125>>::Sum) == 56);
+
+Big plus(const Big& a, const Big& b) { return a + b; }
+template <int S, int D>
+Int<S> plus(const Int<S>& a, const Int<D>& b) {
+  return Int<S>::from_raw(exact::raw_cast<S>((a + b).raw()));
+}
+
+/// f(six times the volume of shell k, on the grid) for every shell, seen from the first vertex of its first face: the
+/// signed sum of the tetrahedra over the fans of its faces.
+template <class C, class F>
+void for_each_shell(const std::vector<GridPoint<C>>& points, const std::vector<Face>& faces, const Shells& shells,
+                    F f) {
+  std::vector<typename Widths<C>::Sum> sums(shells.count);
+  std::vector<std::uint32_t> apex(shells.count, HalfEdges::kNone);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Face& face = faces[i];
+    const std::uint32_t shell = shells.of_face[i];
+    if (apex[shell] == HalfEdges::kNone) apex[shell] = face[0];
+    const GridPoint<C>& from = points[apex[shell]];
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      sums[shell] = plus(
+          sums[shell], exact::determinant(points[face[0]] - from, points[face[k - 1]] - from, points[face[k]] - from));
+    }
+  }
+  for (std::uint32_t k = 0; k < shells.count; ++k) f(k, sums[k]);
+}
+
+BigRational power_of_two(int exponent) {
+  const BigInteger power = BigInteger(1) << std::abs(exponent);
+  return exponent >= 0 ? BigRational(power) : BigRational(BigInteger(1), power);
+}
+
+}  // namespace
+
+std::vector<int> shell_signs(const MeshData& data, const Shells& shells) {
+  std::vector<int> signs(shells.count);
+  with_grid_points(data.vertices, space_grid(data.vertices), [&](const auto& points) {
+    for_each_shell(points, data.faces, shells, [&](std::uint32_t k, const auto& sum) { signs[k] = sign(sum); });
+  });
+  return signs;
+}
+
+BigRational exact_volume(const MeshData& data) {
+  const SpaceGrid grid = space_grid(data.vertices);
+  const Shells one{std::vector<std::uint32_t>(data.faces.size(), 0), data.faces.empty() ? 0u : 1u};
+  Big six;
+  with_grid_points(data.vertices, grid, [&](const auto& points) {
+    for_each_shell(points, data.faces, one, [&](std::uint32_t, const auto& sum) { six = exact::to_big(sum); });
+  });
+  return BigRational(six.value()) * power_of_two(grid.x.exponent + grid.y.exponent + grid.z.exponent) / 6;
+}
+
+namespace {
+
+/// The side of the directed line ab on which p + (e, e^2) lies, for all small e > 0: never 0, so that a ray through p
+/// passes no vertex and no edge. Requires: a and b differ.
+int perturbed_side(const Point& a, const Point& b, const Point& p) {
+  if (const int side = exact::orient_sign(a, b, p)) return side;
+  if (a.y != b.y) return a.y < b.y ? -1 : 1;
+  return a.x < b.x ? 1 : -1;
+}
+
+/// How the ray from p towards smaller x passes a triangle, p's y and z being perturbed: 1 where it leaves through its
+/// front, -1 where it enters, 0 where it passes by. Requires: p is not in the triangle.
+int passage(const Point3& a, const Point3& b, const Point3& c, const Point3& p) {
+  const exact::Axis axis = exact::Axis::x;
+  const int facing = exact::normal_sign(a, b, c, axis);
+  if (facing == 0) return 0;  // seen from its edge
+  const Point a2 = dropped(a, axis), b2 = dropped(b, axis), c2 = dropped(c, axis), p2 = dropped(p, axis);
+  if (perturbed_side(a2, b2, p2) != facing || perturbed_side(b2, c2, p2) != facing ||
+      perturbed_side(c2, a2, p2) != facing) {
+    return 0;
+  }
+  // The face, whose normal has the sign `facing` along x, counts if p is in front of it: then it lies after p along the
+  // ray.
+  return exact::orient3_sign(a, b, c, p) * facing > 0 ? facing : 0;
+}
+
+/// The same for the centre of a triangle, on the grid with all coordinates times three.
+class PassageOfCentres {
+ public:
+  explicit PassageOfCentres(const MeshData& data)
+      : points_(grid_points<exact::Big>(data.vertices, space_grid(data.vertices))) {}
+
+  int passage(const Triangle& t, const Triangle& from) const {
+    const Point3Big p = plus(plus(points_[from[0]], points_[from[1]]), points_[from[2]]);
+    const Point3Big a = tripled(points_[t[0]]) - p, b = tripled(points_[t[1]]) - p, c = tripled(points_[t[2]]) - p;
+    const int facing = sign((b - a).y * (c - a).z - (b - a).z * (c - a).y);
+    if (facing == 0 || side(a, b) != facing || side(b, c) != facing || side(c, a) != facing) return 0;
+    // The sign is that of det(b - a, c - a, p - a), p being the origin.
+    return -sign(exact::determinant(a, b, c)) * facing > 0 ? facing : 0;
+  }
+
+ private:
+  using Point3Big = GridPoint<exact::Big>;
+
+  static Point3Big plus(const Point3Big& a, const Point3Big& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  static Point3Big tripled(const Point3Big& a) { return plus(plus(a, a), a); }
+  /// The value of perturbed_side for the origin.
+  static int side(const Point3Big& a, const Point3Big& b) {
+    if (const int s = sign(a.y * b.z - a.z * b.y)) return s;
+    if (a.z != b.z) return a.z < b.z ? -1 : 1;
+    return a.y < b.y ? 1 : -1;
+  }
+
+  std::vector<Point3Big> points_;
+};
+
+/// The position from which the ray of a shell starts: a vertex of its own, or, where it shares all of them, the centre
+/// of a triangle.
+struct RayStart {
+  std::optional<std::uint32_t> vertex;
+  std::uint32_t triangle = 0;
+};
+
+std::vector<RayStart> ray_starts(const MeshData& data, const Shells& shells, const Triangles& triangles) {
+  constexpr std::uint32_t kShared = HalfEdges::kNone - 1;
+  std::vector<std::uint32_t> owner(data.vertices.size(), HalfEdges::kNone);
+  for (std::uint32_t f = 0; f < data.faces.size(); ++f) {
+    for (const std::uint32_t v : data.faces[f]) {
+      if (owner[v] == HalfEdges::kNone) owner[v] = shells.of_face[f];
+      else if (owner[v] != shells.of_face[f]) owner[v] = kShared;
+    }
+  }
+  std::vector<RayStart> starts(shells.count);
+  for (std::uint32_t t = 0; t < triangles.triangles.size(); ++t) {
+    RayStart& start = starts[shells.of_face[triangles.face[t]]];
+    start.triangle = t;
+    for (const std::uint32_t v : triangles.triangles[t])
+      if (!start.vertex && owner[v] != kShared) start.vertex = v;
+  }
+  return starts;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::uint32_t>> shells_around(const MeshData& data, const Shells& shells,
+                                                      const Triangles& triangles, const BoxTree& boxes) {
+  std::vector<std::vector<std::uint32_t>> around(shells.count);
+  if (shells.count < 2) return around;
+  std::optional<PassageOfCentres> centres;
+  const std::vector<RayStart> starts = ray_starts(data, shells, triangles);
+  for (std::uint32_t shell = 0; shell < shells.count; ++shell) {
+    const RayStart& start = starts[shell];
+    if (!start.vertex && !centres) centres.emplace(data);
+    Box ray;
+    if (start.vertex) {
+      const Point3& p = data.vertices[*start.vertex];
+      ray.add(Vec3{p.x, p.y, p.z});
+    } else {
+      ray = boxes.box(start.triangle);
+    }
+    ray.low.x = -std::numeric_limits<double>::infinity();
+    std::map<std::uint32_t, int> winding;
+    boxes.for_each(ray, [&](std::uint32_t t) {
+      const std::uint32_t other = shells.of_face[triangles.face[t]];
+      if (other == shell) return;
+      const Triangle& v = triangles.triangles[t];
+      winding[other] += start.vertex ? passage(data.vertices[v[0]], data.vertices[v[1]], data.vertices[v[2]],
+                                               data.vertices[*start.vertex])
+                                     : centres->passage(v, triangles.triangles[start.triangle]);
+    });
+    for (const auto& [other, turns] : winding)
+      if (turns != 0) around[shell].push_back(other);
+  }
+  return around;
+}
+
+std::vector<std::uint32_t> shell_depths(const MeshData& data, const Shells& shells, const Triangles& triangles,
+                                        const BoxTree& boxes) {
+  std::vector<std::uint32_t> depths;
+  for (const std::vector<std::uint32_t>& others : shells_around(data, shells, triangles, boxes))
+    depths.push_back(static_cast<std::uint32_t>(others.size()));
+  return depths;
+}
+
 namespace {
 
 void turn_over(Face& face) { std::reverse(face.begin() + 1, face.end()); }

@@ -5,9 +5,35 @@
 #include <optional>
 #include <vector>
 
+#include "dymsum/mesh.h"
 #include "dymsum/named_repairs.h"
+#include "exact/big.h"
+#include "spatial/mesh/box_tree.h"
+#include "spatial/mesh/half_edges.h"
+#include "spatial/mesh/triangulate.h"
 
 namespace dymsum::spatial {
+
+// Exact volumes of shells.
+
+/// The sign of the volume that each shell encloses: -1 for a shell that is inside out. Requires plane faces and closed
+/// shells. Exact. O(n).
+std::vector<int> shell_signs(const MeshData& data, const Shells& shells);
+
+/// The exact volume of all shells together.
+exact::BigRational exact_volume(const MeshData& data);
+
+// The nesting of shells: the depth of a shell is the number of others around it. A solid's shells run outward where the
+// depth is even, and inward, around a cavity, where it is odd.
+
+/// The other shells around every one, in ascending order. Requires faces that share nothing but common vertices and
+/// edges (surface_crossings.h). Exact: signs of orientations of three and four vertices. O(log n) and the triangles in
+/// the way of one ray for every shell.
+std::vector<std::vector<std::uint32_t>> shells_around(const MeshData& data, const Shells& shells,
+                                                      const Triangles& triangles, const BoxTree& boxes);
+/// How many these are. Requires and cost as above.
+std::vector<std::uint32_t> shell_depths(const MeshData& data, const Shells& shells, const Triangles& triangles,
+                                        const BoxTree& boxes);
 
 /// Whether every face is valid by itself, and has no vertex twice.
 bool all_faces_valid(const MeshData& data);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "exact/orient3.h"
+#include "exact/orient.h"
 
 namespace dymsum::spatial {
 namespace {

@@ -2,11 +2,181 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 
-#include "spatial/convolution/facet_rule.h"
+#include "spatial/convolution/reduced_facets.h"
 #include "spatial/mesh/box_tree.h"
+#include "spatial/mesh/vec3.h"
 
 namespace dymsum::spatial {
+namespace {
+
+/// A vector of size about one, whatever the size of the integers. The relative errors of components below 2^-51.
+template <class T>
+Vec3 scaled_doubles(const exact::Vector3<T>& v) {
+  if constexpr (std::is_same_v<T, exact::Big>) {
+    const int drop = bit_length(v);
+    return {rounded(v.x, -drop), rounded(v.y, -drop), rounded(v.z, -drop)};
+  } else {
+    const Vec3 d{to_double(v.x), to_double(v.y), to_double(v.z)};
+    return std::ldexp(1.0, -std::ilogb(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}))) * d;
+  }
+}
+
+Vec3 unit(Vec3 v) { return (1 / length(v)) * v; }
+
+/// Scales are between 2^-64 and 2^64.
+Vec3 times(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
+GaussArc arc_between(Vec3 a, Vec3 b) {
+  const Vec3 sum = a + b;
+  if (length(sum) < 0x1p-10) return {{0, 0, 0}, 1 + 0x1p-40};
+  const Vec3 centre = unit(sum);
+  return {centre, std::max(length(a - centre), length(b - centre)) + 0x1p-40};
+}
+
+}  // namespace
+
+GaussSide::GaussSide(const SolidOperand& operand, const GridPositions& positions) : solid(operand) {
+  with_coordinates(positions, [&]<class C>(C) {
+    const auto direction = [&](std::uint32_t from, std::uint32_t to) {
+      return positions.position<C>(to) - positions.position<C>(from);
+    };
+    for (const Triangle& t : solid.triangles)
+      own_normals_.push_back(scaled_doubles(exact::cross(direction(t[0], t[1]), direction(t[0], t[2]))));
+    convex_of.assign(solid.wedges.size(), kNone);
+    for (std::uint32_t w = 0; w < solid.wedges.size(); ++w) {
+      if (solid.wedges[w].bend != Wedge::Bend::convex) continue;
+      convex_of[w] = static_cast<std::uint32_t>(convex.size());
+      convex.push_back(w);
+      own_edges_.push_back(scaled_doubles(direction(solid.wedges[w].from, solid.wedges[w].to)));
+    }
+    own_rays_.resize(solid.rays.size());
+    for (const SupportCone& cone : solid.cones)
+      for (std::uint32_t k = cone.first; k < cone.last; ++k)
+        own_rays_[k] = scaled_doubles(direction(cone.vertex, solid.rays[k]));
+  });
+  scale({1, 1, 1});
+}
+
+void GaussSide::scale(Vec3 factors) {
+  const Vec3 of_normals{factors.y * factors.z, factors.x * factors.z, factors.x * factors.y};
+  const auto scaled = [](const std::vector<Vec3>& from, Vec3 by, std::vector<Vec3>& to) {
+    to.resize(from.size());
+    for (std::size_t k = 0; k < from.size(); ++k) to[k] = unit(times(by, from[k]));
+  };
+  scaled(own_normals_, of_normals, normals);
+  scaled(own_edges_, factors, edges);
+  scaled(own_rays_, factors, rays);
+  set_arcs();
+}
+
+void GaussSide::set_arcs() {
+  arcs.resize(convex.size());
+  for (std::uint32_t e = 0; e < convex.size(); ++e)
+    arcs[e] = arc_between(normals[wedge(e).left], normals[wedge(e).right]);
+}
+
+namespace {
+
+constexpr std::uint32_t kMostAcross = 64;
+
+/// Face 2 k lies towards the axis k, face 2 k + 1 the other way; u and v are the other two coordinates over that one.
+Vec3 direction(std::uint32_t face, double u, double v) {
+  const double s = face % 2 == 0 ? 1 : -1;
+  const Vec3 d = face / 2 == 0 ? Vec3{s, u, v} : face / 2 == 1 ? Vec3{u, s, v} : Vec3{u, v, s};
+  return (1 / length(d)) * d;
+}
+
+GaussCells::FourArcs in_floats(const GaussSide& side, std::span<const std::uint32_t> edges) {
+  const auto f = [](double v) { return static_cast<float>(v); };
+  GaussCells::FourArcs four{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (k >= edges.size()) {
+      four.radius[k] = -100;
+      continue;
+    }
+    const std::uint32_t e = edges[k];
+    const Vec3 &d = side.edges[e], &m = side.arcs[e].centre;
+    four.x[k] = f(d.x), four.y[k] = f(d.y), four.z[k] = f(d.z);
+    four.centre_x[k] = f(m.x), four.centre_y[k] = f(m.y), four.centre_z[k] = f(m.z);
+    four.radius[k] = f(side.arcs[e].radius), four.index[k] = e;
+  }
+  return four;
+}
+
+}  // namespace
+
+GaussCells::GaussCells(const GaussSide& side) {
+  // A quarter of what a cone would be wide if all shared the sphere; cells are half as wide.
+  const double fraction = 4 * std::numbers::pi / static_cast<double>(side.solid.cones.size() + 1);
+  reach_ = std::clamp(0.3 * std::sqrt(fraction), 0.02, 0.3);
+  while (across_ < kMostAcross && 2.0 / across_ > reach_) across_ *= 2;
+  std::vector<std::uint32_t> cones(side.solid.cones.size()), arcs(side.arcs.size());
+  std::iota(cones.begin(), cones.end(), 0u), std::iota(arcs.begin(), arcs.end(), 0u);
+  Lists lists;
+  lists.arcs.resize(cell(6, 0, 0)), lists.cones.resize(cell(6, 0, 0));
+  for (std::uint32_t face = 0; face < 6; ++face) split(side, {face, 0, 0, across_}, cones, arcs, lists);
+  for (const std::vector<std::uint32_t>& list : lists.arcs) {
+    first_arc_.push_back(static_cast<std::uint32_t>(arcs_.size()));
+    for (std::size_t k = 0; k < list.size(); k += 4) arcs_.push_back(in_floats(side, std::span(list).subspan(k)));
+  }
+  first_arc_.push_back(static_cast<std::uint32_t>(arcs_.size()));
+  for (const std::vector<std::uint32_t>& list : lists.cones) {
+    first_cone_.push_back(static_cast<std::uint32_t>(cones_.size()));
+    cones_.insert(cones_.end(), list.begin(), list.end());
+  }
+  first_cone_.push_back(static_cast<std::uint32_t>(cones_.size()));
+}
+
+void GaussCells::split(const GaussSide& side, const Square& square, std::span<const std::uint32_t> cones,
+                       std::span<const std::uint32_t> arcs, Lists& lists) const {
+  const auto at = [&](double u, double v) {
+    return direction(square.face, 2 * (square.u + u) / across_ - 1, 2 * (square.v + v) / across_ - 1);
+  };
+  const double size = square.size;
+  const Vec3 centre = at(size / 2, size / 2);
+  double radius = 0;
+  for (const double u : {0.0, size})
+    for (const double v : {0.0, size}) radius = std::max(radius, length(at(u, v) - centre));
+  // Scaling may turn a cone by a quarter of the reach before cells are made again, and rounding may put a direction
+  // into the cell beside its own.
+  const double around = radius + 0.25 * reach_ + 0x1p-30, far = radius + reach_ + 0x1p-30;
+  std::vector<std::uint32_t> near_cones, near_arcs;
+  for (const std::uint32_t c : cones) {
+    const SupportCone& cone = side.solid.cones[c];
+    const auto above = [&](const Vec3& ray) { return dot(centre, ray) > around; };
+    if (std::none_of(side.rays.begin() + cone.first, side.rays.begin() + cone.last, above)) near_cones.push_back(c);
+  }
+  for (const std::uint32_t e : arcs)
+    if (std::abs(dot(centre, side.edges[e])) <= far &&
+        length(centre - side.arcs[e].centre) <= far + side.arcs[e].radius)
+      near_arcs.push_back(e);
+  if (square.size == 1) {
+    const std::size_t here = cell(square.face, square.u, square.v);
+    lists.arcs[here] = std::move(near_arcs), lists.cones[here] = std::move(near_cones);
+    return;
+  }
+  const std::uint32_t half = square.size / 2;
+  for (const std::uint32_t u : {square.u, square.u + half})
+    for (const std::uint32_t v : {square.v, square.v + half})
+      split(side, {square.face, u, v, half}, near_cones, near_arcs, lists);
+}
+
+GaussCells::Cell GaussCells::at(Vec3 n) const {
+  const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+  const std::uint32_t axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  const double along = axis == 0 ? n.x : axis == 1 ? n.y : n.z;
+  const double scale = 0.5 * across_ / std::abs(along);
+  const auto index = [&](double c) {
+    return static_cast<std::uint32_t>(std::clamp(c * scale + 0.5 * across_, 0.0, across_ - 1.0));
+  };
+  const std::size_t here =
+      cell(2 * axis + (along < 0 ? 1 : 0), index(axis == 0 ? n.y : n.x), index(axis == 2 ? n.y : n.z));
+  return {{arcs_.data() + first_arc_[here], arcs_.data() + first_arc_[here + 1]},
+          {cones_.data() + first_cone_[here], cones_.data() + first_cone_[here + 1]}};
+}
 
 namespace {
 

@@ -2,18 +2,147 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "spatial/convolution/reduced_facets.h"
-#include "spatial/motion/pose_angles.h"
+#include "spatial/convolution/solid_operand.h"
+#include "spatial/convolution/sum_space.h"
+#include "spatial/mesh/vec3.h"
 #include "spatial/motion/posed_pair.h"
-#include "spatial/moving/facet_slots.h"
-#include "spatial/moving/gauss_cells.h"
-#include "spatial/moving/gauss_side.h"
 
 namespace dymsum::spatial {
+
+// The facets of a sum that moves, in slots that they keep as long as they exist.
+
+/// Slots of facets that ended are used again from the next move on.
+class FacetSlots {
+ public:
+  std::size_t count() const { return facets_.size(); }
+  std::size_t facets() const { return facets_.size() - free_.size() - removed_.size(); }
+  bool exists(std::uint32_t slot) const { return exists_[slot] != 0; }
+  const SumFacet& operator[](std::uint32_t slot) const { return facets_[slot]; }
+  /// The slots of the last move's new facets, and of those that ended.
+  const std::vector<std::uint32_t>& added() const { return added_; }
+  const std::vector<std::uint32_t>& removed() const { return removed_; }
+
+  void begin_move() {
+    free_.insert(free_.end(), removed_.begin(), removed_.end());
+    added_.clear(), removed_.clear();
+  }
+  std::uint32_t add(const SumFacet& facet) {
+    std::uint32_t slot = 0;
+    if (free_.empty()) {
+      slot = static_cast<std::uint32_t>(facets_.size());
+      facets_.push_back(facet), exists_.push_back(1);
+    } else {
+      slot = free_.back();
+      free_.pop_back();
+      facets_[slot] = facet, exists_[slot] = 1;
+    }
+    added_.push_back(slot);
+    return slot;
+  }
+  void remove(std::uint32_t slot) {
+    exists_[slot] = 0;
+    removed_.push_back(slot);
+  }
+
+ private:
+  std::vector<SumFacet> facets_;
+  std::vector<std::uint8_t> exists_;
+  std::vector<std::uint32_t> free_, added_, removed_;
+};
+
+// The Gauss map of one operand in its own frame: normals, arcs of convex edges, and what cones of vertices support, as
+// unit vectors in doubles.
+
+/// Every component of the unit vectors is within this of the exact one.
+inline constexpr double kUnitError = 0x1p-48;
+/// The product of two of them, one turned by matrix_of of another 2^-46: beyond this its sign is the exact one.
+inline constexpr double kSignError = 0x1p-43;
+
+/// The normals between those of an edge's faces lie in a ball of `radius` about `centre`, which are chords: distances
+/// between unit vectors, which no turn by some angle changes by more than that.
+struct GaussArc {
+  Vec3 centre;
+  double radius = 0;
+};
+
+class GaussSide {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  /// Unscaled. Requires an operand without thin parts, which has to live as long.
+  GaussSide(const SolidOperand& solid, const GridPositions& positions);
+  /// Scales along the axes of its frame.
+  void scale(Vec3 factors);
+
+  const SolidOperand& solid;
+  std::vector<Vec3> normals;             ///< of triangles
+  std::vector<std::uint32_t> convex;     ///< the wedges of convex edges
+  std::vector<std::uint32_t> convex_of;  ///< per wedge: its index among these, or kNone
+  std::vector<Vec3> edges;               ///< of these: the direction
+  std::vector<GaussArc> arcs;
+  std::vector<Vec3> rays;  ///< as solid.rays
+
+  const Wedge& wedge(std::uint32_t convex_edge) const { return solid.wedges[convex[convex_edge]]; }
+  /// Calls f for the convex edges of a triangle, at most three.
+  template <class F>
+  void for_each_edge(std::uint32_t triangle, F f) const {
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (const std::uint32_t e = convex_of[solid.wedge_of[3 * triangle + k]]; e != kNone) f(e);
+  }
+
+ private:
+  void set_arcs();
+  std::vector<Vec3> own_normals_, own_edges_, own_rays_;  // unscaled, each component within 2^-50 of its size
+};
+
+// The sphere of directions in cells, with what of a Gauss map comes near each: the faces of a cube in equal squares.
+
+class GaussCells {
+ public:
+  explicit GaussCells(const GaussSide& side);
+
+  /// Arcs of four convex edges as the cells were made, in floats: directions of the edges, and the balls around arcs.
+  /// Where there are fewer, the radius of what is left over is below zero and far from everything.
+  struct FourArcs {
+    float x[4], y[4], z[4], centre_x[4], centre_y[4], centre_z[4], radius[4];
+    std::uint32_t index[4];
+  };
+  struct Cell {
+    std::span<const FourArcs> arcs;
+    std::span<const std::uint32_t> cones;
+  };
+  /// Arcs nearer to n than reach(), a distance, as the cells were made, and cones nearer than a quarter of that.
+  Cell at(Vec3 n) const;
+  double reach() const { return reach_; }
+  /// Distances from floats are within this of the exact ones.
+  static constexpr double kFloatError = 0x1p-20;
+
+ private:
+  struct Square {
+    std::uint32_t face, u, v, size;  // its lowest cell, and cells along a side
+  };
+  struct Lists {
+    std::vector<std::vector<std::uint32_t>> arcs, cones;  // per cell
+  };
+  void split(const GaussSide& side, const Square& square, std::span<const std::uint32_t> cones,
+             std::span<const std::uint32_t> arcs, Lists& lists) const;
+  std::size_t cell(std::uint32_t face, std::uint32_t u, std::uint32_t v) const {
+    return (static_cast<std::size_t>(face) * across_ + v) * across_ + u;
+  }
+
+  double reach_ = 0;
+  std::uint32_t across_ = 1;                           // cells along a side of the cube, a power of two
+  std::vector<std::uint32_t> first_arc_, first_cone_;  // per cell; one more at the end
+  std::vector<FourArcs> arcs_;
+  std::vector<std::uint32_t> cones_;
+};
 
 /// The work of one move.
 struct ConvolutionWork {

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "dymsum/result.h"
-#include "spatial/arrangement/facet_table.h"
+#include "spatial/arrangement/contacts.h"
 #include "spatial/arrangement/plane_cells.h"
+#include "spatial/boundary/collision.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/convolution/stage_watch.h"
 
@@ -43,5 +44,22 @@ struct NoGridForSlice {
 
 /// Requires operands that are not empty. Throws NoGridForSlice, and what reduced_convolution throws.
 SlicePlane slice_plane(const SolidOperand& p, const SolidOperand& q, double height, StageWatch& watch);
+
+// The cells, edges and points of a slice that lie in the sum.
+
+enum class SliceState : std::uint8_t {
+  outside,   ///< not in the sum
+  touching,  ///< in the sum: the solids touch and do not overlap
+  open,      ///< in the open sum
+};
+
+struct SliceStates {
+  std::vector<SliceState> cells;
+  std::vector<std::uint32_t> cracks, threads;  ///< edges: touching between open cells; in the sum between outer ones
+  std::vector<PointId> punctures, dots;        ///< points of PlaneCells: likewise
+};
+
+/// Statement: docs/design/solid-sum.md, "Slices". Exact.
+SliceStates slice_states(const SlicePlane& plane, const Collision& collision);
 
 }  // namespace dymsum::spatial

@@ -11,9 +11,9 @@
 
 namespace dymsum::spatial {
 
-/// Coordinates are integers in units of 2^exponent / scale, scale odd; or, where that would make them long, fractions in
-/// units of 2^exponent, and the scale is 1. Doubles see them in units of 2^shift / scale, in which sizes are what they
-/// are, up to a factor of two.
+/// Coordinates are integers in units of 2^exponent / scale, scale odd; or, where that would make them long, fractions
+/// in units of 2^exponent, and the scale is 1. Doubles see them in units of 2^shift / scale, in which sizes are what
+/// they are, up to a factor of two.
 struct CommonGrid {
   exact::BigInteger scale = 1;
   int exponent = 0;

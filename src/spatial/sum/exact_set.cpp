@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "spatial/sum/common_grid.h"
-#include "spatial/sum/face_triangles.h"
-#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/spatial_sum.h"
+#include "spatial/sum/vertex_signs.h"
 
 namespace dymsum::spatial {
 

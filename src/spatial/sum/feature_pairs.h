@@ -1,16 +1,33 @@
 // The features of the operands that touch on the faces, along the edges and at the points of a sum.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
 
+#include "dymsum/spatial_sum.h"
+#include "spatial/arrangement/plane_lines.h"
 #include "spatial/mesh/box_tree.h"
 #include "spatial/sum/solid_boundary.h"
 
 namespace dymsum::spatial {
+
+// Tight segments in line with each other put together.
+
+/// Several pieces end to end on one line; `first` and `last` are the indices of those at its ends.
+struct TightLine {
+  PointId from = 0, to = 0;
+  std::uint32_t first = 0, last = 0;
+};
+
+/// Pieces that share an end and lie on one line become one. Requires: pieces overlap in ends only. Exact. O(n log n)
+/// for bounded numbers of pieces at a point.
+std::vector<TightLine> joined_lines(const SumSpace& space, const PointTable& points,
+                                    std::span<const std::array<PointId, 2>> pieces);
 
 /// The features whose sum a facet is.
 SolidContact features_of(const SumFacet& facet, const SolidOperand& p, const SolidOperand& q);
@@ -65,5 +82,16 @@ class FeaturePairs {
   std::unordered_map<std::uint64_t, std::uint32_t> diagonal_[2];  // edges inside faces, and these faces
   BoxTree facets_;                                                // only where something is tight
 };
+
+// The edges of a sum's faces.
+
+// The vertex at which a loop of a face begins.
+
+/// Rotates the loop to its smallest rotation: it begins at its smallest vertex; where it comes by that several times,
+/// at the visit after which it goes on smallest.
+void start_at_smallest(std::vector<std::uint32_t>& loop);
+
+/// All edges with the faces that they bound, sorted; without contacts. O(n log n).
+std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces);
 
 }  // namespace dymsum::spatial

@@ -7,9 +7,8 @@
 #include <numeric>
 #include <utility>
 
-#include "exact/orient3.h"
-#include "spatial/sum/canonical_loop.h"
-#include "spatial/sum/sum_edges.h"
+#include "exact/orient.h"
+#include "spatial/sum/feature_pairs.h"
 #include "spatial/sum/sum_source.h"
 
 namespace dymsum::spatial {

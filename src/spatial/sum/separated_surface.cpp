@@ -12,8 +12,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/in_single.h"
-#include "exact/orient3.h"
+#include "base/doubles.h"
+#include "exact/orient.h"
 #include "spatial/mesh/surface_crossings.h"
 #include "spatial/mesh/vec3.h"
 #include "spatial/sum/surface_edits.h"

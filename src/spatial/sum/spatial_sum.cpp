@@ -1,26 +1,195 @@
-#include "dymsum/spatial_sum.h"
+#include "spatial/sum/spatial_sum.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <memory>
 #include <new>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
-#include "base/budget_error.h"
+#include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "base/poll.h"
-#include "spatial/boundary/thin_crossings.h"
+#include "dymsum/convex_memory.h"
+#include "dymsum/spatial_sum.h"
+#include "exact/big.h"
+#include "spatial/boundary/collision.h"
+#include "spatial/convex/convex_sum.h"
+#include "spatial/convex/nearest_positions.h"
 #include "spatial/convolution/predicted_cost.h"
-#include "spatial/sum/face_triangles.h"
-#include "spatial/sum/grid_error.h"
+#include "spatial/sum/solid_boundary.h"
 #include "spatial/sum/solid_faces.h"
-#include "spatial/sum/sum_of_convex_solids.h"
-#include "spatial/sum/sum_of_solids.h"
 #include "spatial/sum/sum_source.h"
-#include "spatial/sum/sum_trace.h"
-#include "spatial/sum/touching_vertices.h"
+#include "spatial/sum/vertex_signs.h"
 
 namespace dymsum {
 
+namespace spatial {
+namespace {
+
+/// A facet and about as many vertices while the sum is put together.
+constexpr std::size_t kBytesPerConvexFacet = 400;
+
+using Kind = SolidFeature::Kind;
+
+/// Facets from their smallest vertex on, sorted by their vertices: by the first two, an edge of one facet.
+std::vector<SpatialFace> faces_of(ConvexFacets& all, const std::vector<std::uint32_t>& name) {
+  for (std::uint32_t& corner : all.corners) corner = name[corner];
+  std::vector<std::uint32_t> begin(name.size() + 1, 0);  // by the first vertex
+  for (const ConvexFacets::Facet& facet : all.facets) {
+    const auto from = all.corners.begin() + static_cast<std::ptrdiff_t>(facet.first), to = from + facet.count;
+    std::rotate(from, std::min_element(from, to), to);
+    ++begin[*from + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  struct Start {
+    std::uint32_t second, facet;
+    auto operator<=>(const Start&) const = default;
+  };
+  std::vector<Start> order(all.facets.size());
+  std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
+  for (std::uint32_t f = 0; f < all.facets.size(); ++f) {
+    const std::uint32_t* corners = all.corners.data() + all.facets[f].first;
+    order[at[corners[0]]++] = {corners[1], f};
+  }
+  std::vector<SpatialFace> faces(order.size());
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) std::sort(order.begin() + begin[v], order.begin() + begin[v + 1]);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const ConvexFacets::Facet& facet = all.facets[order[k].facet];
+    const auto from = all.corners.begin() + static_cast<std::ptrdiff_t>(facet.first);
+    faces[k].loops.emplace_back(from, from + facet.count);
+    faces[k].p = facet.p, faces[k].q = facet.q;
+  }
+  return faces;
+}
+
+SpatialStats stats_of(const Overlay& overlay, const std::vector<SpatialFace>& faces) {
+  SpatialStats stats;
+  stats.bits = tier_bits(overlay.poly(0), overlay.poly(1));
+  for (const SpatialFace& face : faces)
+    ++(face.p.kind == Kind::edge && face.q.kind == Kind::edge ? stats.edge_edge : stats.face_vertex);
+  return stats;
+}
+
+Result<SpatialSum> small_sum(const Result<ConvexSum>& sum, std::uint64_t memory) {
+  if (!sum) return sum.error();
+  const auto bytes = [&](std::size_t facets) { return sum->bytes() + facets * kBytesPerConvexFacet; };
+  // Facets are counted where all of the generic sum would be too many.
+  if (memory != 0 && bytes(sum->face_vertex_count() + sum->edge_edge_count()) > memory)
+    if (const std::uint64_t least = bytes(sum->facet_count().all); least > memory)
+      return base::budget_error("the sum of convex solids takes at least", least, memory);
+  return sum->sum();
+}
+
+}  // namespace
+
+Result<SpatialSum> small_convex_sum(const Mesh& p, const Mesh& q, std::uint64_t memory) {
+  return small_sum(convex_sum_within(p, q, memory), memory);
+}
+
+Result<SpatialSum> small_convex_sum(const SpatialSum& p, const Mesh& q, std::uint64_t memory) {
+  return small_sum(convex_sum_within(p, q, memory), memory);
+}
+
+SpatialSum sum_of_overlay(const Overlay& overlay, std::shared_ptr<const ConvexOperands> operands, const SolidPose& p,
+                          const SolidPose& q) {
+  ConvexFacets facets = assemble(overlay);
+  const std::vector<Point3> nearest = nearest_positions(*operands, p, q, facets.vertices);
+  const std::vector<std::uint32_t> order = order_by_position(*operands, p, q, facets.vertices, nearest);
+
+  SpatialSum sum;
+  std::vector<std::uint32_t> name(order.size());
+  std::vector<ConvexSum::Vertex> pairs;
+  pairs.reserve(order.size());
+  sum.vertices.reserve(order.size());
+  sum.vertex_contacts.reserve(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    name[order[k]] = k;
+    const Point3& at = sum.vertices.emplace_back(nearest[order[k]]);
+    const ConvexSum::Vertex& pair = pairs.emplace_back(facets.vertices[order[k]]);
+    sum.vertex_contacts.push_back(SolidContact{{Kind::vertex, pair.p, 0}, {Kind::vertex, pair.q, 0}});
+    const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+    sum.at_error = std::max(sum.at_error, size * 0x1p-53 + 0x1p-1074);
+  }
+  sum.faces = faces_of(facets, name);
+  sum.shells = 1;
+  sum.stats = stats_of(overlay, sum.faces);
+  auto positions = std::make_shared<SpatialPositions>();
+  positions->convex = std::make_shared<const ConvexPositions>(std::move(operands), p, q, std::move(pairs));
+  SpatialSumInternals::set_positions(sum, std::move(positions));
+  return sum;
+}
+
+}  // namespace spatial
+
+SpatialSum ConvexSum::sum() const {
+  return spatial::sum_of_overlay(state_->overlay, state_->source, state_->p_pose, state_->q_pose);
+}
+
+}  // namespace dymsum
+
+namespace dymsum::spatial {
+namespace {
+
+// What a sum of solids went through, for pictures.
+
+/// A space's doubles in the operands' own coordinates, rounded.
+class World {
+ public:
+  explicit World(const SumSpace& space) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const SumSpace::Line line = space.line(axis);
+      unit_[axis] = std::ldexp(1.0, line.unit), offset_[axis] = line.p_offset + line.q_offset;
+    }
+  }
+  Point3 operator()(Vec3 v) const {
+    return {v.x * unit_[0] + offset_[0], v.y * unit_[1] + offset_[1], v.z * unit_[2] + offset_[2]};
+  }
+
+ private:
+  double unit_[3], offset_[3];
+};
+
+/// Throws OverBudget.
+SpatialTrace trace_of(const SolidBoundary& boundary, StageWatch& watch) {
+  SpatialTrace trace;
+  watch.hold(boundary.table.facets.size() * (sizeof(SpatialTrace::Facet) + 4 * sizeof(Point3)));
+  trace.facets.reserve(boundary.table.facets.size());
+  const SumSpace& space = *boundary.space;
+  const World world(space);
+  for (const TableFacet& f : boundary.table.facets) {
+    SpatialTrace::Facet& facet = trace.facets.emplace_back();
+    facet.corners.reserve(static_cast<std::size_t>(f.facet.corners));
+    facet.kind = static_cast<SpatialTrace::Facet::Kind>(f.facet.kind);
+    for (int k = 0; k < f.facet.corners; ++k) facet.corners.push_back(world(space.approx(f.facet.corner[k])));
+  }
+  const SolidArrangement& arrangement = *boundary.arrangement;
+  // What runs through facets, not around them.
+  const auto inside = [&](std::uint32_t edge) {
+    const auto uses = arrangement.uses(edge);
+    return std::any_of(uses.begin(), uses.end(), [&](EdgeUse use) {
+      const CellEdge& e = arrangement.edge(use);
+      return e.left != kNoId && e.right != kNoId;
+    });
+  };
+  watch.hold(arrangement.edge_ends.size() * sizeof(trace.pieces[0]));
+  trace.pieces.reserve(arrangement.edge_ends.size());
+  for (std::uint32_t edge = 0; edge < arrangement.edge_ends.size(); ++edge) {
+    if (!inside(edge)) continue;
+    const auto [a, b] = arrangement.edge_ends[edge];
+    trace.pieces.push_back({world(arrangement.points.approx(a).at), world(arrangement.points.approx(b).at)});
+  }
+  return trace;
+}
+
+}  // namespace
+}  // namespace dymsum::spatial
+
+namespace dymsum {
 namespace {
 
 /// The reference takes operands as they are.
@@ -150,6 +319,104 @@ bool operator==(const SpatialSum& a, const SpatialSum& b) {
   for (std::size_t k = 0; k < a.vertices.size(); ++k)
     if (a.positions_->at(k) != b.positions_->at(k)) return false;
   return true;
+}
+
+// Whether positions lie in the sum of two solids, by definition.
+
+namespace {
+
+using spatial::Flag;
+using spatial::PointSource;
+
+Error error_of(const char* message) { return {ErrorCode::unsupported_operand, message, {}}; }
+
+}  // namespace
+
+Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<const RationalPoint3> positions,
+                                        Semantics semantics, const Progress& progress) {
+  std::vector<bool> inside(positions.size());
+  if (p.empty() || q.empty()) return inside;
+  const spatial::SolidOperand a = spatial::solid_operand(p.data(), p.thin_faces(), spatial::FlatFeatures::kept),
+                              b = spatial::solid_operand(q.data(), q.thin_faces(), spatial::FlatFeatures::kept);
+  std::unique_ptr<spatial::SumSpace> space;
+  try {
+    space = spatial::make_sum_space(p.vertices(), q.vertices());
+  } catch (const std::invalid_argument& e) {
+    return error_of(e.what());
+  }
+  const bool open = semantics == Semantics::open;
+  if (p.has_thin_parts() && q.has_thin_parts()) {
+    if (semantics == Semantics::regular)
+      return error_of(
+          "both operands have parts without volume: what of their sum is near its interior cannot be asked");
+    if (open && spatial::find_thin_crossing(*space, a, b))
+      return error_of("both operands have parts without volume that can cross: they have no open sum");
+  }
+  const spatial::Collision collision(*space, a, b);
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    if (progress && !progress("positions", static_cast<double>(k) / static_cast<double>(positions.size())))
+      return cancelled();
+    const RationalPoint3& z = positions[k];
+    const std::optional<PointSource> at =
+        space->add_position({exact::exact_value(z.x), exact::exact_value(z.y), exact::exact_value(z.z)});
+    if (!at) continue;
+    const Flag flag{*at, 0, 0, 0, 0, 0};
+    inside[k] = open ? collision.overlaps(flag) : collision.touches(flag);
+  }
+  return inside;
+}
+
+Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics semantics) {
+  const Result<Rational> x = Rational::of(z.x), y = Rational::of(z.y), height = Rational::of(z.z);
+  if (!x || !y || !height) return false;
+  const RationalPoint3 at{*x, *y, *height};
+  const Result<std::vector<bool>> inside = contains_each(p, q, std::span(&at, 1), semantics);
+  if (!inside) return inside.error();
+  return static_cast<bool>(inside->front());
+}
+
+// A convex sum as an operand of the next one, from its exact positions.
+
+namespace {
+
+using exact::Big;
+using exact::BigInteger;
+
+/// The sum's exact vertices and faces. Errors: unsupported_operand where positions are not multiples of a power of two.
+Result<spatial::ExactSolid> exact_solid(const SpatialSum& sum) {
+  const spatial::ConvexPositions* positions = spatial::SpatialSumInternals::convex(sum);
+  if (!positions) return Error{ErrorCode::unsupported_operand, "this sum was not made of convex solids", {}};
+  const exact::BigRational unit = positions->unit() / spatial::SpatialSumInternals::positions(sum).scale;
+  const BigInteger num = numerator(unit), den = denominator(unit);
+  if (den != BigInteger(1) << msb(den))
+    return Error{ErrorCode::unsupported_operand,
+                 "a turned or scaled sum, whose positions are no binary fractions, cannot be an operand",
+                 {}};
+  spatial::ExactSolid solid;
+  solid.exponent = -static_cast<int>(msb(den));
+  for (const spatial::BigVector& at : positions->numerators())
+    solid.vertices.push_back(
+        {Big(BigInteger(at[0] * num)), Big(BigInteger(at[1] * num)), Big(BigInteger(at[2] * num))});
+  for (const SpatialFace& f : sum.faces) solid.faces.push_back(f.loops[0]);
+  return solid;
+}
+
+}  // namespace
+
+Result<ConvexSum> ConvexSum::create(const SpatialSum& p, const Mesh& q) { return convex_sum_within(p, q, 0); }
+
+Result<ConvexSum> convex_sum_within(const SpatialSum& p, const Mesh& q, std::uint64_t memory) {
+  Result<spatial::ExactSolid> solid = exact_solid(p);
+  if (!solid) return solid.error();
+  Result<spatial::Polytope> b = spatial::make_polytope(q);
+  if (!b) return b.error();
+  auto source = std::make_shared<spatial::ConvexOperands>();
+  source->operand[0].exact = solid->vertices;
+  source->operand[0].exponent = solid->exponent;
+  source->operand[1].vertices = q.vertices();
+  return spatial::ConvexSumInternals::of(std::make_shared<const spatial::Polytope>(spatial::make_polytope(*solid)),
+                                         std::make_shared<const spatial::Polytope>(std::move(b).value()),
+                                         std::move(source), memory);
 }
 
 }  // namespace dymsum

@@ -11,11 +11,10 @@
 #include "base/poll.h"
 #include "dymsum/spatial_sum.h"
 #include "spatial/sum/exact_set.h"
-#include "spatial/sum/face_triangles.h"
 #include "spatial/sum/mapped_sum.h"
-#include "spatial/sum/sum_of_convex_solids.h"
+#include "spatial/sum/spatial_sum.h"
 #include "spatial/sum/sum_source.h"
-#include "spatial/sum/touching_vertices.h"
+#include "spatial/sum/vertex_signs.h"
 
 namespace dymsum {
 

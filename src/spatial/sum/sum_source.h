@@ -2,11 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "dymsum/mesh.h"
+#include "dymsum/result.h"
 #include "dymsum/spatial_sum.h"
 #include "exact/big.h"
 #include "spatial/convex/exact_positions.h"
@@ -62,5 +65,22 @@ struct SpatialSumInternals {
 /// Divides a sum of sets in units of 2^shift / scale by these. Requires that the quotient is a double: 0 < scale <
 /// 2^shift 2^1000.
 void unscale(SpatialSum& sum, const exact::BigInteger& scale, int shift = 0);
+
+// Operands whose common grid has more bits than a space of sums holds.
+
+/// What a space of sums needs: bits on the axis that needs most, and the vertex of either list that has the smallest
+/// unit there.
+struct GridNeed {
+  int bits = 0;
+  char axis = 'x';
+  std::size_t vertex = 0;
+  Point3 at;
+};
+/// Requires: both have vertices.
+GridNeed grid_need(const std::vector<Point3>& p, const std::vector<Point3>& q);
+
+/// unsupported_operand, with the vertex whose coordinate has the smallest unit on the axis that needs most bits;
+/// nothing where kMostGridBits do. Requires: both have vertices.
+std::optional<Error> grid_error(const std::vector<Point3>& p, const std::vector<Point3>& q);
 
 }  // namespace dymsum::spatial

@@ -1,6 +1,14 @@
 #include "spatial/sum/surface_edits.h"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "base/scratch.h"
+#include "exact/orient.h"
+#include "spatial/mesh/surface_crossings.h"
 
 namespace dymsum::spatial {
 namespace {
@@ -91,6 +99,57 @@ void SurfaceEdits::split_part(std::uint32_t index, std::uint32_t p, double by) {
     third.v[k] = p;
     add(third);
   }
+}
+
+SurfaceTopology topology_of(const MeshData& mesh) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  edges.reserve(3 * mesh.faces.size());
+  UnionFind pieces(static_cast<std::uint32_t>(mesh.vertices.size()));
+  for (const Face& face : mesh.faces) {
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const std::uint32_t a = face[k], b = face[(k + 1) % face.size()];
+      edges.emplace_back(std::min(a, b), std::max(a, b));
+      pieces.unite(a, b);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  SurfaceTopology found;
+  for (std::uint32_t v = 0; v < pieces.size(); ++v) found.pieces += pieces.root(v) == v;
+  found.euler = static_cast<std::int64_t>(mesh.vertices.size()) - static_cast<std::int64_t>(edges.size()) +
+                static_cast<std::int64_t>(mesh.faces.size());
+  return found;
+}
+
+namespace {
+
+Error error_at(const char* message, const Point3& p) {
+  Error error{ErrorCode::rounding_changed_topology, message, {}};
+  error.evidence.x = p.x;
+  error.evidence.y = p.y;
+  error.evidence.z = p.z;
+  return error;
+}
+
+}  // namespace
+
+std::optional<Error> rounding_error(const MeshData& mesh) {
+  std::vector<Point3> sorted = mesh.vertices;
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end()) return error_at("two vertices round to one place", *twice);
+  Triangles triangles;
+  for (const Face& face : mesh.faces) {
+    const Point3 &a = mesh.vertices[face[0]], &b = mesh.vertices[face[1]], &c = mesh.vertices[face[2]];
+    if (exact::collinear(a, b, c)) return error_at("a triangle rounds to a line", a);
+    triangles.triangles.push_back({face[0], face[1], face[2]});
+  }
+  triangles.face.resize(mesh.faces.size());
+  std::iota(triangles.face.begin(), triangles.face.end(), 0u);
+  const auto meeting = find_meeting(mesh, triangles, boxes_of(mesh.vertices, triangles.triangles));
+  if (!meeting) return std::nullopt;
+  return error_at("two faces cross or touch once they are rounded", meeting->at);
 }
 
 }  // namespace dymsum::spatial

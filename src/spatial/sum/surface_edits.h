@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "dymsum/mesh.h"
@@ -45,5 +46,24 @@ class SurfaceEdits {
   std::vector<std::vector<std::uint32_t>> around_;  // of every vertex its parts; dead ones are left in
   double moved_ = 0;
 };
+
+// The numbers by which the topology of two surfaces of triangles is compared.
+
+struct SurfaceTopology {
+  std::size_t pieces = 0;  ///< connected, if only by a vertex
+  std::int64_t euler = 0;  ///< vertices less edges plus triangles
+  friend bool operator==(const SurfaceTopology&, const SurfaceTopology&) = default;
+};
+
+/// Requires that all vertices are used. O(n log n).
+SurfaceTopology topology_of(const MeshData& triangles);
+
+// What rounding did to a surface of triangles.
+
+/// rounding_changed_topology with the position where two vertices became one, a triangle became a line, or two
+/// triangles cross or touch, that did not before; nothing for a surface that stayed what it was. Requires: triangles
+/// that share nothing but vertices and edges before rounding; edges and vertices may be those of more than two
+/// triangles. Exact. O((n + k) log n) for k pairs with overlapping boxes.
+std::optional<Error> rounding_error(const MeshData& triangles);
 
 }  // namespace dymsum::spatial

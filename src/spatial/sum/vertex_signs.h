@@ -3,14 +3,16 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "dymsum/spatial_sum.h"
 #include "exact/big.h"
-#include "exact/fine_interval.h"
-#include "exact/vector3.h"
+#include "exact/int.h"
+#include "exact/interval.h"
+#include "spatial/mesh/triangulate.h"
 
 namespace dymsum::spatial {
 
@@ -41,5 +43,21 @@ class VertexSigns {
   const SpatialSum& sum_;
   std::vector<Position> positions_;
 };
+
+// Faces of a solid sum split into triangles.
+
+/// Every face as triangles of its own vertices, counter-clockwise seen from outside, each with area: all edges of the
+/// loops once, all others twice. Exact. O(n^2) for a face of n vertices, and O(n) more for each hole.
+Triangles triangulated(const SpatialSum& sum);
+
+/// The first face that has none, as its loops cross or have no area; tight faces are counted after the others. Requires
+/// plane faces of vertices in the order of positions, nothing else of what a sum is.
+std::optional<std::size_t> first_without_triangles(const SpatialSum& sum);
+
+// Vertices of a sum that touch a face inside it: its triangles have to have them as corners, too.
+
+/// The triangles of a sum's faces, those that a vertex touches inside, or on a side that is no edge of the sum, split
+/// there. Exact. O(n log n), and exact comparisons for the triangles near a vertex of others.
+Triangles split_at_touching_vertices(const SpatialSum& sum, Triangles triangles);
 
 }  // namespace dymsum::spatial

@@ -5,8 +5,6 @@
 
 #include <stdexcept>
 
-#include "cspace/boundary/slice_difference.h"
-
 namespace dymsum::planar {
 namespace {
 

@@ -2,8 +2,8 @@
 #include "cspace/boundary/free_position.h"
 
 #include "cspace/obstacle/obstacle_slices.h"
-#include "planar/motion/exact_angle.h"
 #include "planar/motion/operand_pair.h"
+#include "planar/motion/orientation.h"
 
 namespace dymsum::planar {
 namespace {

@@ -1,5 +1,5 @@
 // Angles of events against those of fifty digits: they lie between the doubles that are said, and are not much nearer.
-#include "cspace/events/event_angles.h"
+#include "cspace/events/rotation_events.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Where events happen: a position that moves fast with the angle is covered provably only where the angle is.
-#include "cspace/events/event_position.h"
+#include "cspace/events/exact_position.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "cspace/boundary/free_position.h"
-#include "cspace/events/event_signs.h"
+#include "cspace/events/exact_position.h"
 #include "cspace/obstacle/event_windows.h"
 #include "cspace/obstacle/obstacle_slices.h"
 #include "planar/motion/operand_pair.h"

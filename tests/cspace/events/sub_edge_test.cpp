@@ -1,6 +1,6 @@
 // Where two segments cross, in doubles: within the error that is said, down to lines that are parallel but for
 // roundings.
-#include "cspace/events/sub_edge.h"
+#include "cspace/events/exact_position.h"
 
 #include <gtest/gtest.h>
 

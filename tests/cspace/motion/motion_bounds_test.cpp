@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "cspace/motion/pose.h"
+#include "cspace/motion/motion_sweep.h"
 #include "cspace/motion/slice_map.h"
 #include "dymsum/shapes.h"
 #include "oracles/random.h"

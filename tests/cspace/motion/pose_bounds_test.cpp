@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "cspace/motion/motion_sweep.h"
 #include "cspace/motion/pivot.h"
-#include "cspace/motion/pose.h"
 #include "cspace/motion/slice_map.h"
 #include "dymsum/motion.h"
 #include "oracles/random.h"

@@ -4,7 +4,6 @@
 
 #include <map>
 
-#include "cspace/obstacle/event_clusters.h"
 #include "cspace/obstacle/event_windows.h"
 #include "cspace/obstacle/obstacle_slices.h"
 #include "cspace/obstacle/slice_reader.h"

@@ -1,5 +1,5 @@
 // The kill rule on two or three segments that meet at one position, from signs alone.
-#include "cspace/obstacle/local_arrangement.h"
+#include "cspace/obstacle/meeting_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "cspace/queries/crossing_gap.h"
-#include "cspace/queries/interval_distance.h"
+#include "cspace/queries/patch_forms.h"
 #include "dymsum/shapes.h"
 #include "oracles/snapped_shapes.h"
 

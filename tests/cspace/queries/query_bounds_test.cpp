@@ -4,9 +4,9 @@
 
 #include <numbers>
 
-#include "cspace/queries/angle_passages.h"
-#include "cspace/queries/end_curve.h"
-#include "cspace/queries/tight_distance.h"
+#include "cspace/queries/clearance_search.h"
+#include "cspace/queries/free_angles.h"
+#include "cspace/queries/patch_forms.h"
 #include "oracles/largest_fraction.h"
 #include "oracles/random.h"
 

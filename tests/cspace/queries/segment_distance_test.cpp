@@ -1,5 +1,5 @@
 // Distances of points from segments err by less than they say, and not by much less.
-#include "cspace/queries/segment_distance.h"
+#include "cspace/queries/clearance_search.h"
 
 #include <gtest/gtest.h>
 

@@ -12,10 +12,10 @@
 #include "oracles/membership.h"
 #include "oracles/pair_text.h"
 #include "oracles/sanitized.h"
-#include "planar/operand/prepared_region.h"
-#include "planar/result/finish_sum.h"
-#include "planar/sum/live_segments.h"
-#include "planar/sum/sum_engine.h"
+#include "planar/operand/operand.h"
+#include "planar/result/planar_sum.h"
+#include "planar/sum/minkowski_sum.h"
+#include "planar/sum/reduced.h"
 
 namespace dymsum::planar {
 namespace {

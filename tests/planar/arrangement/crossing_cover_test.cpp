@@ -1,6 +1,6 @@
 // Parts of segments inside parallelograms of edges that cross: sums are the same without them, and few crossings are
 // left where spikes are finer than any cell.
-#include "planar/arrangement/crossing_cover.h"
+#include "planar/arrangement/live_pieces.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include "dymsum/planar_sum.h"
 #include "dymsum/shapes.h"
 #include "oracles/sanitized.h"
-#include "planar/operand/prepared_region.h"
-#include "planar/result/finish_sum.h"
-#include "planar/sum/sum_engine.h"
+#include "planar/operand/operand.h"
+#include "planar/result/planar_sum.h"
+#include "planar/sum/minkowski_sum.h"
 
 namespace dymsum::planar {
 namespace {

@@ -17,8 +17,8 @@
 #include "oracles/pair_text.h"
 #include "oracles/tiny_regions.h"
 #include "planar/convolution/convolution.h"
-#include "planar/operand/prepared_region.h"
-#include "planar/sum/live_segments.h"
+#include "planar/operand/operand.h"
+#include "planar/sum/reduced.h"
 
 namespace dymsum::planar {
 namespace {

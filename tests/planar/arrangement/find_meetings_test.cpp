@@ -10,8 +10,7 @@
 
 #include "dymsum/shapes.h"
 #include "planar/placed_pair.h"
-#include "planar/sum/live_segments.h"
-#include "planar/sum/reduced_chain.h"
+#include "planar/sum/reduced.h"
 
 namespace dymsum::planar {
 namespace {

@@ -11,10 +11,8 @@
 #include "dymsum/shapes.h"
 #include "planar/arrangement/find_meetings.h"
 #include "planar/boundary/boundary.h"
-#include "planar/boundary/tight_features.h"
 #include "planar/placed_pair.h"
-#include "planar/sum/live_segments.h"
-#include "planar/sum/reduced_chain.h"
+#include "planar/sum/reduced.h"
 
 namespace dymsum::planar {
 namespace {

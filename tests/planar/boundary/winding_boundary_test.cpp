@@ -5,7 +5,7 @@
 
 #include "dymsum/shapes.h"
 #include "planar/arrangement/find_meetings.h"
-#include "planar/convolution/kinetic.h"
+#include "planar/convolution/convolution.h"
 #include "planar/placed_pair.h"
 
 namespace dymsum::planar {

@@ -14,8 +14,7 @@
 #include "oracles/snapped_shapes.h"
 #include "oracles/tiny_regions.h"
 #include "planar/convolution/convolution.h"
-#include "planar/convolution/kinetic.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/operand/operand.h"
 
 namespace dymsum::planar {
 namespace {

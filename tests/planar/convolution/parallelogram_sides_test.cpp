@@ -1,5 +1,5 @@
 // Parallelograms of two polylines: closed, counter-clockwise, one for each pair of edges that is not parallel.
-#include "planar/convolution/parallelogram_sides.h"
+#include "planar/convolution/convolution.h"
 
 #include <gtest/gtest.h>
 

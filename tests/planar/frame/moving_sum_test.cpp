@@ -12,7 +12,7 @@
 
 #include "dymsum/shapes.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/sum/placed_sum.h"
+#include "planar/sum/minkowski_sum.h"
 
 namespace dymsum::planar {
 namespace {

@@ -9,9 +9,8 @@
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
 #include "planar/frame/rotating_loops.h"
-#include "planar/motion/exact_frame.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/window/box_pairs.h"
+#include "planar/window/rotating_window.h"
 
 namespace dymsum::planar {
 namespace {

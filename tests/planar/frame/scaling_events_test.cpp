@@ -13,7 +13,6 @@
 #include "planar/frame/scaling_same.h"
 #include "planar/frame/scaling_sum.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/motion/scaling_forms.h"
 
 namespace dymsum {
 namespace {

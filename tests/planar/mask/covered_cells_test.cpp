@@ -1,5 +1,5 @@
 // Covered cells against the definition, cell by cell.
-#include "planar/mask/covered_cells.h"
+#include "planar/mask/interior_mask.h"
 
 #include <gtest/gtest.h>
 

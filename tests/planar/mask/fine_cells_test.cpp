@@ -14,10 +14,10 @@
 #include "oracles/tiny_regions.h"
 #include "oracles/verdict.h"
 #include "planar/arrangement/live_pieces.h"
-#include "planar/operand/prepared_region.h"
-#include "planar/result/finish_sum.h"
-#include "planar/sum/live_segments.h"
-#include "planar/sum/sum_engine.h"
+#include "planar/operand/operand.h"
+#include "planar/result/planar_sum.h"
+#include "planar/sum/minkowski_sum.h"
+#include "planar/sum/reduced.h"
 
 namespace dymsum::planar {
 namespace {

@@ -9,7 +9,7 @@
 #include "oracles/membership.h"
 #include "oracles/random.h"
 #include "oracles/sanitized.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/operand/operand.h"
 
 namespace dymsum::planar {
 namespace {

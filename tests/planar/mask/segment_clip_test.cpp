@@ -1,5 +1,5 @@
 // Parts of segments in boxes against exact rationals.
-#include "planar/mask/segment_clip.h"
+#include "planar/mask/interior_mask.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include "oracles/digits.h"
 #include "oracles/random.h"
 #include "oracles/random_pentagon.h"
-#include "planar/motion/exact_angle.h"
 #include "planar/motion/operand_pair.h"
+#include "planar/motion/orientation.h"
 #include "planar/motion/turning_forms.h"
 
 namespace dymsum::planar {

@@ -3,7 +3,7 @@
 
 #include "exact/big.h"
 #include "oracles/random.h"
-#include "planar/motion/scaling_forms.h"
+#include "planar/motion/operand_pair.h"
 
 namespace dymsum::planar {
 namespace {

@@ -1,5 +1,5 @@
 // Bounds of a window's doubles against exact values: they hold, and are not many times too large.
-#include "planar/motion/scaling_forms.h"
+#include "planar/motion/operand_pair.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The order of edges by direction: exact, and by position in the walk where directions are equal.
-#include "planar/operand/directions.h"
 #include "oracles/snapped_shapes.h"
+#include "planar/operand/edges.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 
 #include "dymsum/shapes.h"
 #include "planar/operand/operand.h"
-#include "planar/region/separate_touching.h"
+#include "planar/region/region.h"
 
 namespace dymsum::planar {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "dymsum/region.h"
-#include "exact/rung.h"
+#include "exact/orient.h"
 #include "oracles/coordinate_kinds.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"

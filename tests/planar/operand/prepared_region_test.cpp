@@ -11,7 +11,7 @@
 #include "dymsum/shapes.h"
 #include "exact/grid.h"
 #include "oracles/snapped_shapes.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/operand/operand.h"
 
 namespace dymsum {
 namespace {

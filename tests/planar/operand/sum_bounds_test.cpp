@@ -1,5 +1,5 @@
 // Bounds of sums of vertices against exact values: they hold, and are not many times too large.
-#include "planar/operand/sum_bounds.h"
+#include "planar/operand/lattice.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "exact/big.h"
 #include "oracles/random.h"
 #include "oracles/sanitized.h"
-#include "planar/operand/directions.h"
+#include "planar/operand/edges.h"
 
 namespace dymsum::planar {
 namespace {

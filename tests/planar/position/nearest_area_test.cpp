@@ -9,9 +9,8 @@
 #include "dymsum/scaling_sum.h"
 #include "dymsum/shapes.h"
 #include "oracles/snapped_shapes.h"
-#include "planar/position/exact_area.h"
+#include "planar/position/area.h"
 #include "planar/position/exact_source.h"
-#include "planar/position/nearest_point.h"
 #include "planar/sum/listed_source.h"
 
 namespace dymsum {

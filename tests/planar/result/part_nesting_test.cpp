@@ -1,4 +1,4 @@
-#include "planar/result/part_nesting.h"
+#include "planar/result/planar_sum.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "planar/position/ring_containment.h"
+#include "planar/position/exact_source.h"
 #include "planar/sum/listed_source.h"
 
 namespace dymsum::planar {

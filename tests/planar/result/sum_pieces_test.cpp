@@ -1,5 +1,5 @@
 // Pieces of sums of points and polylines, with the contacts that carry them.
-#include "planar/result/sum_pieces.h"
+#include "planar/result/pieces.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "planar/shapes/shapes_source.h"
+#include "planar/shapes/shapes.h"
 
 namespace dymsum::shapes {
 

@@ -1,6 +1,6 @@
 // Convex operands: which ones are distinguished, and the same sums as by the reference.
-#include "planar/sum/convex_boundary.h"
 #include "oracles/snapped_shapes.h"
+#include "planar/sum/minkowski_sum.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "oracles/check_sum.h"
 #include "oracles/pair_text.h"
 #include "oracles/tiny_regions.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/operand/operand.h"
 
 namespace dymsum::planar {
 namespace {

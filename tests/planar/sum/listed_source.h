@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "planar/position/exact_source.h"
-#include "planar/position/position_signs.h"
 
 namespace dymsum {
 

@@ -1,5 +1,5 @@
 // Chains of live segments: every successor starts where its segment ends, and a pair of vertices has all its segments.
-#include "planar/sum/reduced_chain.h"
+#include "planar/sum/reduced.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,8 @@
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
 #include "oracles/tiny_regions.h"
-#include "planar/convolution/parallelogram_sides.h"
+#include "planar/convolution/convolution.h"
 #include "planar/placed_pair.h"
-#include "planar/sum/live_segments.h"
 
 namespace dymsum::planar {
 namespace {

@@ -12,9 +12,9 @@
 #include "oracles/random.h"
 #include "oracles/sanitized.h"
 #include "oracles/verdict.h"
-#include "planar/operand/prepared_region.h"
-#include "planar/result/finish_sum.h"
-#include "planar/sum/sum_engine.h"
+#include "planar/operand/operand.h"
+#include "planar/result/planar_sum.h"
+#include "planar/sum/minkowski_sum.h"
 
 namespace dymsum {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <random>
 
-#include "planar/position/exact_area.h"
+#include "planar/position/area.h"
 #include "planar/sum/listed_source.h"
 
 namespace dymsum {

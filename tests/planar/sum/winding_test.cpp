@@ -13,12 +13,11 @@
 #include "oracles/pair_text.h"
 #include "oracles/snapped_shapes.h"
 #include "oracles/tiny_regions.h"
-#include "planar/arrangement/ray_rows.h"
 #include "planar/arrangement/segment_graph.h"
 #include "planar/boundary/collision.h"
-#include "planar/boundary/winding_numbers.h"
-#include "planar/convolution/kinetic.h"
-#include "planar/operand/prepared_region.h"
+#include "planar/boundary/winding_boundary.h"
+#include "planar/convolution/convolution.h"
+#include "planar/operand/operand.h"
 
 namespace dymsum::planar {
 namespace {

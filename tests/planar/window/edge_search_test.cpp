@@ -1,6 +1,6 @@
 // Edges that prove a position covered: the search against all pairs of edges, and each answer by exact signs.
-#include "planar/window/edge_search.h"
 #include "planar/motion/operand_pair.h"
+#include "planar/window/scaling_pairs.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include "oracles/random.h"
 #include "planar/motion/operand_pair.h"
-#include "planar/window/piece_lines.h"
+#include "planar/window/rotating_window.h"
 
 namespace dymsum::planar {
 namespace {

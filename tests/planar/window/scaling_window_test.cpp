@@ -1,6 +1,6 @@
 // Windows: conservative, and shown to be so by breaking them; which path answered.
 #include "planar/motion/operand_pair.h"
-#include "planar/window/scaling_stages.h"
+#include "planar/window/window_builder.h"
 
 #include <gtest/gtest.h>
 

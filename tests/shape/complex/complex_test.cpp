@@ -11,9 +11,9 @@
 #include "dymsum/shapes.h"
 #include "oracles/tiny_regions.h"
 #include "oracles/verdict.h"
-#include "shape/complex/congruence.h"
 #include "shape/complex/definition.h"
-#include "shape/complex/from_candidates.h"
+#include "shape/complex/make_complex.h"
+#include "shape/complex/ranked.h"
 
 namespace dymsum {
 namespace {

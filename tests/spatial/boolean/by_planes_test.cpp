@@ -14,7 +14,7 @@
 #include "exact/big.h"
 #include "oracles/coordinate_kinds.h"
 #include "oracles/sanitized.h"
-#include "spatial/boolean/solid_inside.h"
+#include "spatial/boolean/solid_union.h"
 #include "spatial/sum/exact_set.h"
 #include "spatial/sum/solid_cases.h"
 #include "spatial/sum/sum_source.h"

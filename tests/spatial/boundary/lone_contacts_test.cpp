@@ -5,7 +5,7 @@
 
 #include "dymsum/solids.h"
 #include "oracles/voxel_solids.h"
-#include "spatial/boundary/lone_contacts.h"
+#include "spatial/boundary/tight_features.h"
 
 namespace dymsum {
 namespace {

@@ -8,7 +8,7 @@
 #include "oracles/voxel_solids.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/sum/solid_cases.h"
-#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/spatial_sum.h"
 
 namespace dymsum {
 namespace {

@@ -19,7 +19,7 @@
 #include "oracles/snapped_shapes.h"
 #include "spatial/motion/beside_origin.h"
 #include "spatial/moving/moving_cases.h"
-#include "spatial/moving/shell_euler.h"
+#include "spatial/moving/sum_shape.h"
 
 namespace dymsum {
 namespace {

@@ -1,5 +1,5 @@
 // Relative maps of scaled poses: the same integers from machine words and from numbers of any size.
-#include "spatial/gauss/relative_map.h"
+#include "spatial/gauss/signs.h"
 
 #include "spatial/convex/convex_cases.h"
 

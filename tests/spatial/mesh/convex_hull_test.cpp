@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "dymsum/solids.h"
-#include "exact/orient3.h"
-#include "spatial/mesh/edge_bend.h"
+#include "exact/orient.h"
+#include "spatial/mesh/half_edges.h"
 #include "spatial/mesh/mesh_cases.h"
 
 namespace dymsum::spatial_test {

@@ -1,5 +1,5 @@
 // Sums of lengths: the nearest doubles, also beside ties of two and on them.
-#include "spatial/mesh/length_sum.h"
+#include "spatial/mesh/wide_sum.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

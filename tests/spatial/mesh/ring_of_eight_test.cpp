@@ -1,10 +1,10 @@
 // Where circles leave cells, in floats: what doubles say, or nothing.
-#include "spatial/mesh/ring_of_eight.h"
+#include "spatial/gauss/ring_bounds.h"
 
 #include <limits>
 
 #include "spatial/convex/convex_cases.h"
-#include "spatial/gauss/leaving_slot.h"
+#include "spatial/gauss/overlay.h"
 
 namespace dymsum::test {
 namespace {

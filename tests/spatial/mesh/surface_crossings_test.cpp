@@ -7,7 +7,7 @@
 #include <random>
 
 #include "dymsum/solids.h"
-#include "exact/orient3.h"
+#include "exact/orient.h"
 #include "spatial/mesh/mesh_cases.h"
 
 namespace dymsum::spatial_test {

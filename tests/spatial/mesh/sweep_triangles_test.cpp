@@ -1,5 +1,5 @@
 // Faces with holes, and rings that touch, split by a sweep: against areas and edges counted by hand.
-#include "spatial/mesh/sweep_triangles.h"
+#include "spatial/mesh/triangulate.h"
 
 #include <gtest/gtest.h>
 

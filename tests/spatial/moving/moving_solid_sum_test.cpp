@@ -10,7 +10,7 @@
 #include "oracles/coordinate_kinds.h"
 #include "spatial/convex/setting.h"
 #include "spatial/moving/moving_cases.h"
-#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/spatial_sum.h"
 
 namespace dymsum {
 namespace {

@@ -1,5 +1,5 @@
 // Euler numbers of shells that touch themselves or each other.
-#include "spatial/moving/shell_euler.h"
+#include "spatial/moving/sum_shape.h"
 
 #include <gtest/gtest.h>
 

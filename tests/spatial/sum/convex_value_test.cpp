@@ -5,7 +5,7 @@
 #include "oracles/coordinate_kinds.h"
 #include "oracles/sanitized.h"
 #include "spatial/convex/convex_cases.h"
-#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/spatial_sum.h"
 
 namespace dymsum::test {
 namespace {

@@ -7,8 +7,8 @@
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
 #include "oracles/voxel_solids.h"
-#include "spatial/sum/face_triangles.h"
 #include "spatial/sum/random_solids.h"
+#include "spatial/sum/vertex_signs.h"
 
 namespace dymsum {
 namespace {

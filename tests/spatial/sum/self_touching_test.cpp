@@ -13,7 +13,7 @@
 #include "dymsum/solids.h"
 #include "dymsum/spatial_sum.h"
 #include "spatial/sum/random_solids.h"
-#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/spatial_sum.h"
 #include "spatial/sum/tested_sums.h"
 
 namespace dymsum {

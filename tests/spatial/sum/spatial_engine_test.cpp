@@ -17,7 +17,7 @@
 #include "oracles/sanitized.h"
 #include "oracles/voxel_solids.h"
 #include "spatial/sum/random_solids.h"
-#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/spatial_sum.h"
 #include "spatial/sum/tested_sums.h"
 
 namespace dymsum {

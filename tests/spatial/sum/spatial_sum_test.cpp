@@ -10,7 +10,7 @@
 #include "dymsum/solids.h"
 #include "oracles/voxel_solids.h"
 #include "spatial/sum/solid_cases.h"
-#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/spatial_sum.h"
 #include "spatial/sum/tested_sums.h"
 
 namespace dymsum {

@@ -11,7 +11,7 @@
 #include "dymsum/volume_text.h"
 #include "oracles/voxel_solids.h"
 #include "spatial/sum/solid_cases.h"
-#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/spatial_sum.h"
 
 namespace dymsum {
 namespace {

@@ -4,7 +4,7 @@
 #include "dymsum/spatial_sum.h"
 #include "oracles/voxel_solids.h"
 #include "spatial/sum/solid_cases.h"
-#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/spatial_sum.h"
 
 namespace dymsum {
 namespace {

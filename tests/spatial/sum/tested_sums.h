@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "dymsum/spatial_sum.h"
-#include "spatial/sum/sum_of_solids.h"
+#include "spatial/sum/spatial_sum.h"
 
 namespace dymsum {
 
