@@ -178,7 +178,7 @@ Result<SolidInput> solid_by_planes(const MeshData& data, const std::string& file
   if (!options.quiet) std::cerr << shown_file(file) << ": by planes: " << made->to_string() << "\n";
   SolidInput input{file, Mesh()};
   input.axes = std::move(made->axes);
-  if (Result<Mesh> mesh = as_mesh(made->solid)) input.mesh = *std::move(mesh);
+  if (Result<Mesh> mesh = as_mesh(made->solid)) input.mesh = mesh->canonical();
   else input.result = std::move(made->solid);
   return input;
 }
