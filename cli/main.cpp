@@ -63,6 +63,11 @@ constexpr Verb kVerbs[] = {{"sum", add_sum},
                            {"local-sum", add_local_sum},
                            {"contains", add_contains},
                            {"check", add_check},
+                           {"check-sum", add_check_sum},
+                           {"check-nfp", add_check_nfp},
+                           {"check-fit", add_check_fit},
+                           {"check-offset", add_check_offset},
+                           {"check-mesh", add_check_mesh},
                            {"features", add_features},
                            {"decompose", add_decompose},
                            {"info", add_info},
@@ -184,12 +189,25 @@ ExitCode run(int argc, char** argv) {
   return action();
 }
 
-/// `dymsum help [VERB]` is `dymsum [VERB] --help`.
+/// `dymsum help [VERB]` is `dymsum [VERB] --help`, and `dymsum help check sum` that of these two words.
 std::vector<char*> as_option_help(std::vector<char*> words) {
   static std::string help = "--help";
-  if (words.size() > 3 || words.size() < 2 || std::string(words[1]) != "help") return words;
+  if (words.size() < 2 || std::string(words[1]) != "help") return words;
+  if (words.size() > 4 || (words.size() == 4 && std::string(words[2]) != "check")) return words;
   words.erase(words.begin() + 1);
   words.push_back(help.data());
+  return words;
+}
+
+/// `dymsum check sum` is `dymsum check-sum`, and so on for what else is checked.
+std::vector<char*> with_whole_verb(std::vector<char*> words) {
+  static std::string verb;
+  if (words.size() < 3 || std::string(words[1]) != "check") return words;
+  verb = "check-" + std::string(words[2]);
+  if (std::none_of(std::begin(kVerbs), std::end(kVerbs), [&](const Verb& known) { return known.name == verb; }))
+    return words;
+  words.erase(words.begin() + 1);
+  words[1] = verb.data();
   return words;
 }
 
@@ -215,7 +233,7 @@ ExitCode report(const Stop& ended, int argc, char** argv) {
 }  // namespace
 
 int main(int count, char** given) {
-  std::vector<char*> words = as_option_help({given, given + count});
+  std::vector<char*> words = with_whole_verb(as_option_help({given, given + count}));
   const int argc = static_cast<int>(words.size());
   words.push_back(nullptr);
   char** argv = words.data();

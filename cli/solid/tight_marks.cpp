@@ -69,15 +69,27 @@ class Marks {
   MeshData mesh_;
 };
 
-}  // namespace
-
-MeshData tight_marks(const SpatialSum& sum) {
+double radius_beside(const std::vector<Point3>& vertices) {
   Point3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-  for (const Point3& v : sum.vertices) {
+  for (const Point3& v : vertices) {
     low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
     high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
   }
-  const double radius = 0.004 * std::max({high.x - low.x, high.y - low.y, high.z - low.z, 0.0});
+  return 0.004 * std::max({high.x - low.x, high.y - low.y, high.z - low.z, 0.0});
+}
+
+}  // namespace
+
+MeshData position_marks(const MeshData& mesh, const std::vector<Point3>& positions) {
+  const double radius = radius_beside(mesh.vertices);
+  Marks marks(radius);
+  constexpr double kTimes = 3;
+  for (const Point3& p : positions) marks.add_point(p, kTimes * radius);
+  return marks.take();
+}
+
+MeshData tight_marks(const SpatialSum& sum) {
+  const double radius = radius_beside(sum.vertices);
   Marks marks(radius);
   const auto at = [&](std::uint32_t v) -> const Point3& { return sum.vertices[v]; };
   for (const std::uint32_t v : sum.tight_points) marks.add_point(at(v), 2 * radius);

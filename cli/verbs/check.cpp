@@ -7,6 +7,7 @@
 
 #include "dymsum/layout_check.h"
 #include "dymsum/names.h"
+#include "inputs.h"
 #include "options.h"
 #include "outputs.h"
 #include "pictures/layout_picture.h"
@@ -19,6 +20,7 @@ namespace {
 
 struct CheckCommand {
   std::string file;
+  LayoutReadOptions read;
   LayoutCheckOptions distances;
   std::vector<std::string> outputs;
   ReportOptions report;
@@ -35,7 +37,8 @@ bool valid(const std::vector<LayoutCheck>& checks) {
 }
 
 std::string part_name(const Layout& layout, std::uint32_t part) {
-  return "part " + std::to_string(part) + " (" + layout.parts[part].name + ")";
+  const std::string &given = layout.parts[part].name, index = "part " + std::to_string(part);
+  return given.empty() ? index : index + " (" + given + ")";
 }
 
 Json fault_json(const LayoutFault& fault) {
@@ -43,9 +46,12 @@ Json fault_json(const LayoutFault& fault) {
   return {{"kind", name(fault.kind)},
           {"part", fault.part},
           {"other", alone ? Json() : Json(fault.other)},
-          {"distance", fits ? Json(fault.distance) : Json("inf")},
-          {"squared_exact", fits ? Json(fault.squared.to_string()) : Json()},
-          {"move", {fault.move.x.to_double(), fault.move.y.to_double()}},
+          {"distance", !fault.measured ? Json()
+                       : fits          ? Json(fault.distance)
+                                       : Json("inf")},
+          {"at_most", fits ? Json(fault.at_most) : Json("inf")},
+          {"squared_exact", fits && fault.measured ? Json(fault.squared.to_string()) : Json()},
+          {"move", fault.measured ? Json{fault.move.x.to_double(), fault.move.y.to_double()} : Json()},
           {"at", {fault.at.x, fault.at.y}}};
 }
 
@@ -81,7 +87,8 @@ void print_fault(const Layout& layout, const LayoutFault& fault) {
       std::cout << " is outside the container by ";
       break;
   }
-  std::cout << fault.distance << ", near (" << fault.at.x << ", " << fault.at.y << ")\n";
+  if (!fault.measured) std::cout << "no more than ";
+  std::cout << fault.at_most << ", near (" << fault.at.x << ", " << fault.at.y << ")\n";
 }
 
 void print_text(const Checked& all) {
@@ -93,6 +100,10 @@ void print_text(const Checked& all) {
     for (std::size_t i = 0; i < std::min(kShown, check.faults.size()); ++i)
       print_fault(all.layouts[k], check.faults[i]);
     if (check.faults.size() > kShown) std::cout << "  and " << check.faults.size() - kShown << " more\n";
+    if (const auto rough = std::count_if(check.faults.begin(), check.faults.end(),
+                                         [](const LayoutFault& fault) { return !fault.measured; });
+        rough > 0)
+      std::cout << "  " << rough << " of the overlaps are no deeper than those measured (--faults)\n";
   }
 }
 
@@ -102,26 +113,32 @@ T required(Result<T> result) {
   return std::move(result).value();
 }
 
+/// FILE.svg, of several layouts FILE_0.svg, FILE_1.svg and so on.
 void write_layout_pictures(const CheckCommand& command, const Checked& all) {
-  for (const std::string& file : command.outputs) write_text(file, layout_picture(all.layouts[0], all.checks[0]));
+  for (const std::string& file : command.outputs)
+    for (std::size_t k = 0; k < all.layouts.size(); ++k) {
+      const std::string stem = file.substr(0, file.size() - std::string(".svg").size());
+      const std::string name = all.layouts.size() == 1 ? file : stem + "_" + std::to_string(k) + ".svg";
+      write_text(name, layout_picture(all.layouts[k], all.checks[k]));
+    }
 }
 
 /// Without a container nothing sticks out: that is said, and a margin from it refused.
 void check_layout_container(const CheckCommand& command, const Layout& layout) {
   if (layout.container) return;
   if (command.distances.margin > 0)
-    throw Stop(kBadInput,
-               command.file + ": --margin wants a container, and the file has neither strip_height nor bins");
-  std::cerr << command.file
-            << ": no container (neither strip_height nor bins): whether parts stick out is not checked\n";
+    throw Stop(kBadInput, shown_file(command.file) + ": --margin wants a container, and there is none");
+  std::cerr << shown_file(command.file) << ": no container: whether parts stick out is not checked\n";
 }
 
 ExitCode run_layout_check(const CheckCommand& command) {
   for (const std::string& file : command.outputs)
     if (!file.ends_with(".svg")) throw Stop(kUsage, "check writes pictures (.svg), not '" + file + "'");
-  Checked all{required(read_layouts(command.file)), {}};
-  if (all.layouts.size() != 1 && !command.outputs.empty())
-    throw Stop(kUsage, "-o draws one layout, and " + command.file + " has " + std::to_string(all.layouts.size()));
+  if (!command.read.container.empty() && command.file.find(".json") != std::string::npos)
+    throw Stop(kUsage, "--container is for drawings (.dxf, .svg): the file says what the container is");
+  Checked all{required(read_layouts(command.file, command.read)), {}};
+  if (!all.layouts.empty())
+    for (const std::string& note : all.layouts[0].notes) std::cerr << shown_file(command.file) << ": " << note << "\n";
   for (const Layout& layout : all.layouts) check_layout_container(command, layout);
   ProgressBar bar;
   LayoutCheckOptions options = command.distances;
@@ -147,14 +164,31 @@ void add_check(CLI::App& app, Action& action) {
   auto command = std::make_shared<CheckCommand>();
   CLI::App& verb = *app.add_subcommand(
       "check", "Whether a layout is right: parts that overlap, are too near or stick out, exactly, the worst first");
-  verb.add_option("LAYOUT", command->file, "A solution as jagua-rs and sparrow write it, with its instance (.json)")
+  verb.add_option(
+          "LAYOUT", command->file,
+          "A solution as jagua-rs and sparrow write it, with its instance (.json); a drawing of the parts where "
+          "they stand: .dxf, or .svg as SVGnest writes it")
       ->required();
+  verb.add_option("--container", command->read.container,
+                  "Of drawings: largest (the largest shape; of SVG elements of the class bin, where there are some, if "
+                  "not given), none, or the layer (DXF) or the id (SVG) that it has")
+      ->type_name("WHICH");
+  verb.add_flag("--repair", command->read.repair,
+                "JSON: repair shapes, as rings that run clockwise, and say on standard error what changed");
   within(verb.add_option("--spacing", command->distances.spacing, "The required distance of two parts"), 0)
       ->type_name("D");
   within(verb.add_option("--margin", command->distances.margin, "The required distance from the container's outside"),
          0)
       ->type_name("D");
-  verb.add_option("-o", command->outputs, "A picture with the faults marked (.svg); repeatable")
+  whole_within(verb.add_option("--faults", command->distances.measured,
+                               "Of how many overlaps the depth is measured: the deepest ones; others are listed with a "
+                               "bound"),
+               0, 1000000000)
+      ->type_name("N")
+      ->capture_default_str();
+  verb.add_option("-o", command->outputs,
+                  "A picture with the faults marked (.svg), of several bins one for each: FILE_0.svg and so "
+                  "on; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_report_options(verb, command->report, "Check N times and report the median and minimum time");

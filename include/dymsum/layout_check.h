@@ -2,6 +2,7 @@
 // container; whoever made it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct Layout {
   std::vector<Region> shapes;
   std::vector<LayoutPart> parts;
   std::optional<Region> container;  ///< none: parts may be anywhere
+  std::vector<std::string> notes;   ///< what was repaired where it was read, a line for each shape
 };
 
 struct LayoutFault {
@@ -41,19 +43,24 @@ struct LayoutFault {
   Kind kind = Kind::overlap;
   std::uint32_t part = 0;            ///< index into Layout::parts
   std::uint32_t other = kContainer;  ///< the other one, with the smaller index, or kContainer
-  Rational squared;                  ///< the exact square of `distance`
+  /// False of overlaps beyond LayoutCheckOptions::measured, none of which is deeper than one that is, but for 2^-30 of
+  /// it: `squared`, `distance` and `move` are 0, and count nothing.
+  bool measured = true;
+  Rational squared;     ///< the exact square of `distance`
   double distance = 0;  ///< the nearest double; infinite where a part fits nowhere (`squared` is 0 and counts nothing)
+  double at_most = 0;   ///< `distance` is no more than this; the same double where it is measured
   RationalPoint move;   ///< a shortest move of `part` to a touch; that into the container; zero where there is none
   Point at;             ///< near the fault: what overlaps or sticks out is there, or a corner of the part's box
 };
 
 struct LayoutCheckOptions {
   double spacing = 0, margin = 0;  ///< the required distances of parts, and of parts and the outside
+  std::size_t measured = 100;      ///< of how many overlaps, the deepest ones, the depth is determined
   Progress progress;
 };
 
 struct LayoutCheck {
-  std::vector<LayoutFault> faults;  ///< by kind, then the worst first, then by parts
+  std::vector<LayoutFault> faults;  ///< by kind, then what is measured, then the worst first, then by parts
   std::uint64_t pairs = 0;          ///< whose boxes are near enough to be looked at
   double density = 0;               ///< area of all parts over that of the container; 0 without one; rounded
   bool valid() const { return faults.empty(); }
@@ -63,13 +70,28 @@ struct LayoutCheck {
 /// orientations and positions as they are given. Parts without area overlap nothing. Errors: bad_index for a part with
 /// a shape that is not there; out_of_range for distances that are negative or above 2^400; those of nfp; cancelled. O(n
 /// log n) for boxes that rarely meet, and for each pair that does the pieces of both boundaries that are near each
-/// other; a sum for each fault.
+/// other; a sum for some more overlaps than are to be measured, as bounds from 32 directions tell which may be deepest.
 Result<LayoutCheck> check_layout(const Layout& layout, const LayoutCheckOptions& options = {});
 
-/// The layouts of a file: what jagua-rs and sparrow write, an instance with its solution (docs/guide/nesting.md). One
-/// for a strip, one for each bin that is used. Rotations are degrees, at face value: multiples of 90 exactly, others by
-/// Orientation::nearest. Errors: cannot_open; malformed and those of regions with the item's name.
-Result<std::vector<Layout>> read_layouts(const std::string& path);
-Result<std::vector<Layout>> parse_layouts(std::string_view text, std::string_view name_for_errors);
+struct LayoutReadOptions {
+  /// Of drawings, what the container is: empty: elements of the class `bin` (SVG), else the largest ring; `largest`;
+  /// `none`; else the layer that it alone is drawn on (DXF), or the id of its element (SVG).
+  std::string container;
+  /// JSON: shapes are repaired as by repair(), which orients rings that run the wrong way. Drawings have no
+  /// orientation.
+  bool repair = false;
+};
+
+/// The layouts of a file. JSON: what jagua-rs and sparrow write, an instance with its solution (docs/guide/nesting.md);
+/// one for a strip, one for each bin that is used. Rotations are degrees, at face value: multiples of 90 exactly,
+/// others by Orientation::nearest. Drawings, .dxf and .svg: every shape is a part that stands where it is drawn. DXF: a
+/// closed ring with the rings inside it, which are its holes. SVG: an element, or a group with elements of the class
+/// `hole`, as SVGnest writes them; a layout for each bin. Errors: cannot_open; malformed, also for lines in drawings
+/// that are not closed, and those of regions with the item's name.
+Result<std::vector<Layout>> read_layouts(const std::string& path, const LayoutReadOptions& options = {});
+enum class LayoutFormat : std::uint8_t { json, svg, dxf };
+Result<std::vector<Layout>> parse_layouts(std::string_view text, std::string_view name_for_errors,
+                                          const LayoutReadOptions& options = {},
+                                          LayoutFormat format = LayoutFormat::json);
 
 }  // namespace dymsum

@@ -47,6 +47,7 @@ void bind_planar_local_sum(nb::module_& m);
 void bind_nesting(nb::module_& m);
 void bind_nfp_table(nb::module_& m);
 void bind_placement(nb::module_& m);
+void bind_set_check(nb::module_& m);
 void bind_growing_disc(nb::module_& m);
 void bind_shape_features(nb::module_& m);
 

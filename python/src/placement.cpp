@@ -137,7 +137,10 @@ void bind_layouts(nb::module_& m) {
         if (container) self->container = **container;
       },
       "shapes"_a, "parts"_a, "container"_a = nb::none());
-  layout.field("shapes", &Layout::shapes).field("parts", &Layout::parts).field("container", &Layout::container);
+  layout.field("shapes", &Layout::shapes)
+      .field("parts", &Layout::parts)
+      .field("container", &Layout::container)
+      .field("notes", &Layout::notes, "What was repaired.");
 }
 
 void bind_faults(nb::module_& m) {
@@ -150,8 +153,10 @@ void bind_faults(nb::module_& m) {
   fault.field("kind", &LayoutFault::kind)
       .field("part", &LayoutFault::part)
       .field("other", &LayoutFault::other, "The other part, with the smaller index, or kContainer.")
+      .field("measured", &LayoutFault::measured, "False of overlaps beyond LayoutCheckOptions.measured.")
       .field("squared", &LayoutFault::squared, "The exact square of `distance`.")
       .field("distance", &LayoutFault::distance, "inf where the part fits nowhere.")
+      .field("at_most", &LayoutFault::at_most, "`distance` is no more than this.")
       .field("move", &LayoutFault::move, "A shortest move of `part` to a touch.")
       .field("at", &LayoutFault::at, "Near the fault.");
   Record<LayoutCheck>(m, "LayoutCheck", "What check_layout found.")
@@ -165,12 +170,13 @@ void bind_checks(nb::module_& m) {
   Record<LayoutCheckOptions> options(m, "LayoutCheckOptions", "Options of check_layout.");
   options.def(
       "__init__",
-      [](LayoutCheckOptions* self, double spacing, double margin, Progress progress) {
-        new (self) LayoutCheckOptions{spacing, margin, std::move(progress)};
+      [](LayoutCheckOptions* self, double spacing, double margin, std::size_t measured, Progress progress) {
+        new (self) LayoutCheckOptions{spacing, margin, measured, std::move(progress)};
       },
-      "spacing"_a = 0.0, "margin"_a = 0.0, "progress"_a = nb::none());
+      "spacing"_a = 0.0, "margin"_a = 0.0, "measured"_a = 100, "progress"_a = nb::none());
   options.option("spacing", &LayoutCheckOptions::spacing, "The required distance of two parts.")
       .option("margin", &LayoutCheckOptions::margin, "That of a part and the outside of the container.")
+      .option("measured", &LayoutCheckOptions::measured, "Of how many overlaps the depth is measured: the deepest.")
       .option("progress", &LayoutCheckOptions::progress);
   m.def(
       "check_layout",
@@ -186,12 +192,31 @@ void bind_checks(nb::module_& m) {
 >>> [(fault.kind.name, fault.part, fault.squared) for fault in check.faults]
 [('overlap', 1, Fraction(1, 16)), ('outside', 1, Fraction(1, 4))]
 )doc");
+  Record<LayoutReadOptions> reading(m, "LayoutReadOptions", "Options of read_layouts.");
+  reading.def(
+      "__init__",
+      [](LayoutReadOptions* self, std::string container, bool repair) {
+        new (self) LayoutReadOptions{std::move(container), repair};
+      },
+      "container"_a = "", "repair"_a = false);
+  reading
+      .option(
+          "container", &LayoutReadOptions::container,
+          "Of drawings: '' (class bin of SVG, else the largest ring), 'largest', 'none', a layer (DXF), an id (SVG).")
+      .option("repair", &LayoutReadOptions::repair, "JSON: shapes are repaired, as rings that run the wrong way.");
+  enumeration<LayoutFormat>(m, "LayoutFormat", "Formats of layouts.");
   m.def(
-      "read_layouts", [](const PathArgument& path) { return take(read_layouts(path.text)); }, "path"_a,
-      "The layouts of a solution as jagua-rs and sparrow write it, with its instance. Raises Error.");
+      "read_layouts",
+      [](const PathArgument& path, const LayoutReadOptions& options) { return take(read_layouts(path.text, options)); },
+      "path"_a, "options"_a = LayoutReadOptions(),
+      "The layouts of a solution as jagua-rs and sparrow write it, or of a drawing: .dxf, .svg. Raises Error.");
   m.def(
-      "parse_layouts", [](const std::string& text, const std::string& name) { return take(parse_layouts(text, name)); },
-      "text"_a, "name_for_errors"_a = "text", "The same from text.");
+      "parse_layouts",
+      [](const std::string& text, const std::string& name, const LayoutReadOptions& options, LayoutFormat format) {
+        return take(parse_layouts(text, name, options, format));
+      },
+      "text"_a, "name_for_errors"_a = "text", "options"_a = LayoutReadOptions(), "format"_a = LayoutFormat::json,
+      "The same from text.");
 }
 
 }  // namespace

@@ -71,26 +71,29 @@ class OptionTable : public testing::TestWithParam<Section> {
   /// A run in a folder of its own, so that what it writes is its own.
   static std::pair<Outcome, std::string> run(const std::string& command) {
     Workplace work;
-    for (const auto& [file, text] :
-         std::map<std::string, std::string>{{"peg.wkt", kPeg},
-                                            {"slot.wkt", kSlot},
-                                            {"hook.wkt",  // its pocket turns round a corner
-                                             "POLYGON ((0 0, 6 0, 6 4, 2 4, 2 3, 5 3, 5 1, 1 1, 1 4, 0 4, 0 0))\n"},
-                                            {"frame.wkt", "POLYGON ((0 0, 3 0, 3 2, 4 2, 4 4, 0 4, 0 0))\n"},
-                                            {"small.wkt", "POLYGON ((0 0, 1 0, 1 2, 0 2, 0 0))\n"},
-                                            {"turned.wkt", "POLYGON ((2 1, 0 1, 0 0, 2 0, 2 1))\n"},
-                                            {"cube.off", kCube},
-                                            {"wedge.off", kTetrahedron},
-                                            {"parts.json", kParts},
-                                            {"layout.json", kLayout},
-                                            {"copies.txt", "1 0 0\n3/2 9 0\n"},
-                                            {"poses.txt", "1,6,0\n1,9,0\n"},
-                                            {"places.txt", "3,3\n"},
-                                            {"moves.txt", "0.25,0,0\n9,9,9\n"},
-                                            {"heights.txt", "1/3,9,9\n"},
-                                            {"slot.obstacle", obstacle()},
-                                            {"slot.family", family()},
-                                            {"viewer.html", kViewer}})
+    for (const auto& [file, text] : std::map<std::string, std::string>{
+             {"peg.wkt", kPeg},
+             {"slot.wkt", kSlot},
+             {"hook.wkt",  // its pocket turns round a corner
+              "POLYGON ((0 0, 6 0, 6 4, 2 4, 2 3, 5 3, 5 1, 1 1, 1 4, 0 4, 0 0))\n"},
+             {"frame.wkt", "POLYGON ((0 0, 3 0, 3 2, 4 2, 4 4, 0 4, 0 0))\n"},
+             {"small.wkt", "POLYGON ((0 0, 1 0, 1 2, 0 2, 0 0))\n"},
+             {"turned.wkt", "POLYGON ((2 1, 0 1, 0 0, 2 0, 2 1))\n"},
+             {"cube.off", kCube},
+             {"wedge.off", kTetrahedron},
+             {"double.off",
+              "OFF\n8 6 0\n-2 -2 -2\n2 -2 -2\n2 2 -2\n-2 2 -2\n-2 -2 2\n2 -2 2\n2 2 2\n"
+              "-2 2 2\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"},
+             {"parts.json", kParts},
+             {"layout.json", kLayout},
+             {"copies.txt", "1 0 0\n3/2 9 0\n"},
+             {"poses.txt", "1,6,0\n1,9,0\n"},
+             {"places.txt", "3,3\n"},
+             {"moves.txt", "0.25,0,0\n9,9,9\n"},
+             {"heights.txt", "1/3,9,9\n"},
+             {"slot.obstacle", obstacle()},
+             {"slot.family", family()},
+             {"viewer.html", kViewer}})
       work.write(file, text);
     const Outcome outcome = work.run("DYMSUM_VIEWER=viewer.html " + command + " < peg.wkt");
     std::string seen = outcome.out + outcome.err;

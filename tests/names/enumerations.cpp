@@ -20,6 +20,7 @@
 #include "dymsum/rotating_sum.h"
 #include "dymsum/scale_range.h"
 #include "dymsum/scaling_sum.h"
+#include "dymsum/set_check.h"
 #include "dymsum/solid_erosion.h"
 #include "dymsum/solid_offset.h"
 #include "dymsum/spatial_trace.h"
@@ -37,6 +38,7 @@ Enumerators of(const char* name) {
 std::vector<Enumerators> enumerations() {
   return {of<BetweenSteps>("BetweenSteps"),
           of<CandidatePosition::Kind>("Kind"),
+          of<CheckVerdict>("CheckVerdict"),
           of<Concavity>("Concavity"),
           of<Contact::Kind>("Kind"),
           of<ConvexEngine>("ConvexEngine"),
@@ -59,6 +61,7 @@ std::vector<Enumerators> enumerations() {
           of<Fill>("Fill"),
           of<FrameMode>("FrameMode"),
           of<LayoutFault::Kind>("Kind"),
+          of<LayoutFormat>("LayoutFormat"),
           of<LocalEngine>("LocalEngine"),
           of<LocalPart::Where>("Where"),
           of<Meeting>("Meeting"),

@@ -9,7 +9,9 @@
 
 #include "dymsum/layout_check.h"
 #include "dymsum/nesting.h"
+#include "dymsum/region_io.h"
 #include "io/read_file.h"
+#include "io/region/drawn_layouts.h"
 #include "io/region/json_shapes.h"
 #include "io/source.h"
 
@@ -239,7 +241,7 @@ namespace {
 
 class LayoutReader {
  public:
-  explicit LayoutReader(const io::Source& source) : source_(source) {}
+  LayoutReader(const io::Source& source, bool repair) : source_(source), repair_(repair) {}
 
   std::vector<Layout> read(const JsonValue& root) {
     const JsonValue instance = root.find("instance").value_or(root);
@@ -264,10 +266,10 @@ class LayoutReader {
     source_.fail_on_line(ErrorCode::malformed, what, at.line());
   }
 
-  void add_shape(const JsonValue& json, Ids& ids, std::vector<Region>& to, const std::string& what) const {
+  void add_shape(const JsonValue& json, Ids& ids, std::vector<Region>& to, const std::string& what) {
     NamedShape shape = io::read_nesting_shape(source_, json);
     if (shape.name.empty()) shape.name = std::to_string(to.size());
-    Result<Region> region = Region::create(std::move(shape.data));
+    Result<Region> region = region_of(std::move(shape.data), what + " " + io::in_quotes(shape.name));
     if (!region)
       throw io::ReadFailure{{region.error().code,
                              what + " " + io::in_quotes(shape.name) + ": " + region.error().message,
@@ -275,6 +277,14 @@ class LayoutReader {
     if (!ids.try_emplace(shape.name, static_cast<std::uint32_t>(to.size())).second)
       fail("two " + what + "s are named " + io::in_quotes(shape.name), json);
     to.push_back(*std::move(region));
+  }
+
+  Result<Region> region_of(RegionData data, const std::string& name) {
+    if (!repair_) return Region::create(std::move(data));
+    Result<Repaired> repaired = dymsum::repair(std::move(data));
+    if (!repaired) return repaired.error();
+    if (repaired->report.changed()) notes_.push_back(name + ": " + repaired->report.to_string());
+    return std::move(repaired).value().region;
   }
 
   double number(const JsonValue& object, std::string_view key) const {
@@ -305,6 +315,7 @@ class LayoutReader {
     Layout layout;
     layout.shapes = shapes_;
     layout.container = std::move(container);
+    layout.notes = notes_;
     io::visit_array(source_, io::require_member(source_, json, "placed_items"), "placed items",
                     [&](const JsonValue& item) { layout.parts.push_back(part(item)); });
     return layout;
@@ -321,13 +332,14 @@ class LayoutReader {
     return part;
   }
 
-  // Two numbers, or two texts that are fractions.
+  // Numbers, or texts that are fractions.
   RationalPoint position(const JsonValue& value) const {
     if (value.kind() == JsonKind::pair)
       return {Rational::of(value.pair().x).value(), Rational::of(value.pair().y).value()};
     std::vector<Rational> both;
     io::visit_array(source_, value, "two coordinates", [&](const JsonValue& one) {
-      Result<Rational> r = Rational::parse(io::require_text(source_, one, "a coordinate as a fraction"));
+      if (one.kind() == JsonKind::number) return both.push_back(Rational::of(one.number()).value());
+      Result<Rational> r = Rational::parse(io::require_text(source_, one, "a coordinate as a number or a fraction"));
       if (!r) fail(r.error().message, one);
       both.push_back(*std::move(r));
     });
@@ -336,27 +348,41 @@ class LayoutReader {
   }
 
   const io::Source& source_;
+  bool repair_;
+  std::vector<std::string> notes_;
   std::vector<Region> shapes_, containers_;
   Ids item_ids_, bin_ids_;
 };
 
 }  // namespace
 
-Result<std::vector<Layout>> parse_layouts(std::string_view text, std::string_view name_for_errors) {
+Result<std::vector<Layout>> parse_layouts(std::string_view text, std::string_view name_for_errors,
+                                          const LayoutReadOptions& options, LayoutFormat format) {
   const io::PlainText plain(text);
   const io::Source source{plain.view(), name_for_errors};
   try {
+    if (format == LayoutFormat::dxf) return io::dxf_layouts(source, options);
+    if (format == LayoutFormat::svg) return io::svg_layouts(source, options);
+    if (!options.container.empty())
+      return io::file_error(ErrorCode::unsupported_operand,
+                            "a container is chosen in drawings (.dxf, .svg), not in JSON", name_for_errors);
     const io::JsonTape tape(source);
-    return LayoutReader(source).read(tape.root());
+    return LayoutReader(source, options.repair).read(tape.root());
   } catch (io::ReadFailure& failure) {
     return std::move(failure.error);
   }
 }
 
-Result<std::vector<Layout>> read_layouts(const std::string& path) {
+Result<std::vector<Layout>> read_layouts(const std::string& path, const LayoutReadOptions& options) {
   const Result<std::string> text = io::read_file(path);
   if (!text) return text.error();
-  return parse_layouts(*text, path == "-" ? "standard input" : path);
+  const std::string extension = io::extension(path);
+  const bool dxf = path == "-" ? begins_like_dxf(*text) : extension == ".dxf";
+  const bool svg = path == "-" ? text->find_first_not_of(" \t\r\n") == text->find('<') && !dxf : extension == ".svg";
+  return parse_layouts(*text, path == "-" ? "standard input" : path, options,
+                       dxf   ? LayoutFormat::dxf
+                       : svg ? LayoutFormat::svg
+                             : LayoutFormat::json);
 }
 
 }  // namespace dymsum

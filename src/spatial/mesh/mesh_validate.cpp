@@ -188,19 +188,12 @@ class ContactSearch {
   SplitFace f_, g_;
 };
 
-/// The error faces_cross for a meeting that find_meeting found. Its sentence and evidence say what the faces have in
-/// common, the first of these that they have:
-/// - an edge of one runs through the inside of the other, where the two cross: `face`, `other_face`;
-/// - they lie on each other in one plane: `face`, `other_face`;
-/// - a vertex of one touches the other inside: `vertex` touches `face`, and is a corner of `other_face`;
-/// - or inside an edge, which begins at `other_vertex` in that face;
-/// - an edge of `face`, from `vertex` to `other_vertex`, touches one of `other_face`, between the ends of both.
-/// Exact. O(k l) for faces of k and l vertices.
+}  // namespace
+
 Error contact_error(const MeshData& data, const Triangles& triangles, const FaceMeeting& meeting) {
   return ContactSearch(data, triangles, meeting).run();
 }
 
-}  // namespace
 }  // namespace dymsum::spatial
 
 namespace dymsum {

@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "base/poll.h"
+#include "check/triangle_distance.h"
+#include "check/within.h"
+#include "dymsum/set_check.h"
+#include "dymsum/solid_union.h"
+#include "exact/big.h"
+#include "spatial/boolean/solid_union.h"
+#include "spatial/sum/exact_set.h"
+
+namespace dymsum {
+namespace {
+
+using check::ExactTriangle;
+using check::RationalVector;
+using exact::BigRational;
+using spatial::ExactSet;
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/// A solid by its triangles, and whether it is known to be convex.
+struct CheckedSolid {
+  ExactSet set;
+  bool convex = false;
+};
+
+CheckedSolid checked_solid(const Mesh& mesh) {
+  MeshData solid{mesh.vertices(), {}};
+  const TriangulatedMesh all = triangulated(mesh);
+  for (std::size_t t = 0; t < all.face.size(); ++t)
+    if (!mesh.has_thin_parts() || !mesh.thin_faces()[all.face[t]]) solid.faces.push_back(all.mesh.faces()[t]);
+  return {spatial::exact_set(std::move(solid)), !mesh.empty() && !convexity_error(mesh)};
+}
+CheckedSolid checked_solid(const SpatialSum& sum) {
+  const Result<Mesh> mesh = as_mesh(sum);
+  return {spatial::exact_set(sum), sum.is_convex() || (mesh && !mesh->empty() && !convexity_error(*mesh))};
+}
+
+/// What lies in a and not in b: by winding number, b inside out.
+Result<SpatialSum> exact_difference(const ExactSet& a, const ExactSet& b, const SpatialOptions& options) {
+  ExactSet all = a;
+  const auto first = static_cast<std::uint32_t>(all.at.size());
+  all.set.vertices.insert(all.set.vertices.end(), b.set.vertices.begin(), b.set.vertices.end());
+  all.at.insert(all.at.end(), b.at.begin(), b.at.end());
+  for (Face face : b.set.faces) {
+    std::reverse(face.begin(), face.end());
+    for (std::uint32_t& v : face) v += first;
+    all.set.faces.push_back(std::move(face));
+  }
+  return spatial::solid_inside(all, {1, false, false}, options);
+}
+
+class FarthestVertex {
+ public:
+  FarthestVertex(const SpatialSum& set, const CheckedSolid& other) : set_(set), other_(other) {
+    for (const auto* vertices : {&other.set.set.vertices, &set.vertices})
+      for (const Point3& v : *vertices) reach_ = std::max({reach_, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  }
+
+  void run(SolidExcess& excess, const Poll& poll) {
+    std::vector<std::vector<std::uint32_t>> pieces = vertices_of_shells();
+    std::optional<check::TriangleNearest> furthest;
+    for (const std::vector<std::uint32_t>& piece : pieces)
+      for (const std::uint32_t v : piece) {
+        poll.at_test(v, set_.vertices.size());
+        check::TriangleNearest nearest = nearest_of(v);
+        if (furthest && nearest.squared <= furthest->squared) continue;
+        furthest = std::move(nearest);
+        excess.at = set_.exact(v);
+      }
+    const auto rational = [](const BigRational& v) { return exact::to_rational(v); };
+    excess.squared = rational(furthest->squared);
+    excess.nearest = {rational(furthest->at[0]), rational(furthest->at[1]), rational(furthest->at[2])};
+    excess.distance = excess.at_most = exact::root_to_double(furthest->squared);
+    if (other_.convex) return;  // the distance from a convex solid is convex
+    for (const std::vector<std::uint32_t>& piece : pieces) {
+      const BigRational bound = bound_of(piece);
+      if (bound <= furthest->squared) continue;
+      excess.exact = false;
+      excess.at_most = std::max(excess.at_most, std::nextafter(exact::root_to_double(bound), kFar));
+    }
+  }
+
+ private:
+  std::vector<std::vector<std::uint32_t>> vertices_of_shells() const {
+    std::vector<std::vector<std::uint32_t>> of(set_.shells);
+    for (const SpatialFace& face : set_.faces)
+      for (const auto& loop : face.loops) of[face.shell].insert(of[face.shell].end(), loop.begin(), loop.end());
+    for (auto& vertices : of) {
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    }
+    return of;
+  }
+
+  RationalVector exact_vertex(std::uint32_t v) const {
+    const RationalPoint3 p = set_.exact(v);
+    return {exact::exact_value(p.x), exact::exact_value(p.y), exact::exact_value(p.z)};
+  }
+  ExactTriangle triangle(std::size_t face) const {
+    const Face& f = other_.set.set.faces[face];
+    return {other_.set.at[f[0]], other_.set.at[f[1]], other_.set.at[f[2]]};
+  }
+
+  /// The triangles that doubles do not prove to be further away than the nearest one.
+  std::vector<std::size_t> near_faces(std::uint32_t v) const {
+    const MeshData& mesh = other_.set.set;
+    std::vector<double> rough;
+    double least = kFar;
+    for (const Face& f : mesh.faces) {
+      rough.push_back(
+          check::rough_distance(set_.vertices[v], {mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]}));
+      if (rough.back() < least) least = rough.back();
+    }
+    const double slack = check::kRoughDistance * reach_;
+    std::vector<std::size_t> near;
+    for (std::size_t f = 0; f < rough.size(); ++f)
+      if (!(rough[f] > least + slack)) near.push_back(f);
+    return near;
+  }
+
+  check::TriangleNearest nearest_of(std::uint32_t v) const {
+    const RationalVector p = exact_vertex(v);
+    std::optional<check::TriangleNearest> best;
+    for (const std::size_t f : near_faces(v)) {
+      check::TriangleNearest next = check::nearest_on(p, triangle(f));
+      if (!best || next.squared < best->squared) best = std::move(next);
+    }
+    return *std::move(best);
+  }
+
+  /// The least, over the triangles that are near the piece, of the distance of its furthest vertex: the distance from a
+  /// triangle is convex.
+  BigRational bound_of(const std::vector<std::uint32_t>& piece) const {
+    constexpr std::size_t kMostFaces = 64;
+    std::vector<std::size_t> faces;
+    for (const std::uint32_t v : piece) {
+      if (faces.size() > kMostFaces) break;
+      const std::vector<std::size_t> near = near_faces(v);
+      faces.insert(faces.end(), near.begin(), near.end());
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    std::optional<BigRational> bound;
+    for (const std::size_t f : faces) {
+      BigRational most = 0;
+      for (const std::uint32_t v : piece) {
+        most = std::max(most, check::nearest_on(exact_vertex(v), triangle(f)).squared);
+        if (bound && most >= *bound) break;
+      }
+      if (!bound || most < *bound) bound = std::move(most);
+    }
+    return *std::move(bound);
+  }
+
+  const SpatialSum& set_;
+  const CheckedSolid& other_;
+  double reach_ = 0;
+};
+
+Result<SolidExcess> excess_of(const CheckedSolid& a, const CheckedSolid& b, const SpatialOptions& options,
+                              const Poll& poll) {
+  Result<SpatialSum> set = exact_difference(a.set, b.set, options);
+  if (!set) return set.error();
+  SolidExcess excess;
+  excess.set = *std::move(set);
+  if (excess.set.faces.empty()) return excess;
+  if (b.set.set.faces.empty()) {
+    excess.distance = excess.at_most = kFar;
+    excess.at = excess.set.exact(0);
+    return excess;
+  }
+  FarthestVertex(excess.set, b).run(excess, poll);
+  return excess;
+}
+
+Result<SolidSetCheck> check_solids(const CheckedSolid& right, const CheckedSolid& made, const SpatialOptions& options) {
+  try {
+    Poll poll(options.progress);
+    poll.stage("distances");
+    Result<SolidExcess> missing = excess_of(right, made, options, poll);
+    if (!missing) return missing.error();
+    Result<SolidExcess> surplus = excess_of(made, right, options, poll);
+    if (!surplus) return surplus.error();
+    return SolidSetCheck{*std::move(missing), *std::move(surplus)};
+  } catch (const Cancelled&) {
+    return cancelled();
+  }
+}
+
+}  // namespace
+
+bool SolidSetCheck::contains() const { return missing.set.faces.empty(); }
+bool SolidSetCheck::contained() const { return surplus.set.faces.empty(); }
+CheckVerdict SolidSetCheck::within(const Rational& tolerance) const {
+  return check::both(check::within(missing, tolerance), check::within(surplus, tolerance));
+}
+
+Result<SolidSetCheck> check_set(const SpatialSum& right, const Mesh& made, const SpatialOptions& options) {
+  return check_solids(checked_solid(right), checked_solid(made), options);
+}
+Result<SolidSetCheck> check_set(const SpatialSum& right, const SpatialSum& made, const SpatialOptions& options) {
+  return check_solids(checked_solid(right), checked_solid(made), options);
+}
+
+}  // namespace dymsum

@@ -1,0 +1,89 @@
+#include "check/triangle_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/doubles.h"
+
+namespace dymsum::check {
+namespace {
+
+using exact::BigRational;
+
+RationalVector minus(const RationalVector& a, const RationalVector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+BigRational dot(const RationalVector& a, const RationalVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+RationalVector cross(const RationalVector& a, const RationalVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+RationalVector along(const RationalVector& a, const RationalVector& d, const BigRational& t) {
+  return {a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]};
+}
+
+TriangleNearest nearest_of(const RationalVector& p, const RationalVector& at) {
+  const RationalVector d = minus(p, at);
+  return {dot(d, d), at};
+}
+
+TriangleNearest nearest_on_segment(const RationalVector& p, const RationalVector& a, const RationalVector& b) {
+  const RationalVector d = minus(b, a);
+  const BigRational t = dot(minus(p, a), d), length = dot(d, d);
+  if (t <= 0) return nearest_of(p, a);
+  if (t >= length) return nearest_of(p, b);
+  return nearest_of(p, along(a, d, BigRational(t / length)));
+}
+
+/// Of a segment, relative to p, in units in which squares are no trouble.
+double rough_segment(const Point3& a, const Point3& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, n = dx * dx + dy * dy + dz * dz;
+  const double t = n > 0 ? std::clamp(-(a.x * dx + a.y * dy + a.z * dz) / n, 0.0, 1.0) : 0;
+  return base::hypot3(a.x + t * dx, a.y + t * dy, a.z + t * dz);
+}
+
+}  // namespace
+
+TriangleNearest nearest_on(const RationalVector& p, const ExactTriangle& t) {
+  const RationalVector n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
+  bool above = true;
+  for (std::size_t k = 0; k < 3 && above; ++k) above = dot(cross(minus(t[(k + 1) % 3], t[k]), minus(p, t[k])), n) >= 0;
+  if (above) return nearest_of(p, along(p, n, BigRational(-dot(minus(p, t[0]), n) / dot(n, n))));
+  std::optional<TriangleNearest> best;
+  for (std::size_t k = 0; k < 3; ++k) {
+    TriangleNearest next = nearest_on_segment(p, t[k], t[(k + 1) % 3]);
+    if (!best || next.squared < best->squared) best = std::move(next);
+  }
+  return *std::move(best);
+}
+
+double rough_distance(const Point3& p, const std::array<Point3, 3>& t) {
+  const auto minus = [](const Point3& a, const Point3& b) { return Point3{a.x - b.x, a.y - b.y, a.z - b.z}; };
+  const auto cross = [](const Point3& a, const Point3& b) {
+    return Point3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  };
+  const auto dot = [](const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+  const auto largest = [](const Point3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); };
+  const auto over = [](const Point3& a, double by) { return Point3{a.x / by, a.y / by, a.z / by}; };
+  std::array<Point3, 3> from, edge;  // from p; both in units in which squares are no trouble
+  double far = 0, size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    from[k] = minus(t[k], p);
+    edge[k] = minus(t[(k + 1) % 3], t[k]);
+    far = std::max(far, largest(from[k]));
+    size = std::max(size, largest(edge[k]));
+  }
+  if (!(far > 0)) return far;
+  for (Point3& v : from) v = over(v, far);
+  if (size > 0) {
+    for (Point3& v : edge) v = over(v, size);
+    const Point3 n = cross(edge[0], edge[1]);
+    bool above = dot(n, n) > 0x1p-40;
+    for (std::size_t k = 0; k < 3 && above; ++k) above = dot(cross(edge[k], from[k]), n) <= 0;
+    if (above) return far * std::abs(dot(from[0], n)) / std::sqrt(dot(n, n));
+  }
+  return far *
+         std::min({rough_segment(from[0], from[1]), rough_segment(from[1], from[2]), rough_segment(from[2], from[0])});
+}
+
+}  // namespace dymsum::check

@@ -1,0 +1,26 @@
+// Distances of positions from triangles in space.
+#pragma once
+
+#include <array>
+
+#include "dymsum/mesh.h"
+#include "exact/big.h"
+
+namespace dymsum::check {
+
+using RationalVector = std::array<exact::BigRational, 3>;
+using ExactTriangle = std::array<RationalVector, 3>;
+
+/// The nearest position of a triangle, and the square of its distance.
+struct TriangleNearest {
+  exact::BigRational squared;
+  RationalVector at;
+};
+TriangleNearest nearest_on(const RationalVector& p, const ExactTriangle& t);
+
+/// The distance in doubles. Two of them differ from the exact distances by no more than this, times the largest
+/// coordinate: triangles thinner than 2^-20 of their longest side count as their sides, others have a normal to 2^-30.
+inline constexpr double kRoughDistance = 0x1p-17;
+double rough_distance(const Point3& p, const std::array<Point3, 3>& t);
+
+}  // namespace dymsum::check
