@@ -10,7 +10,6 @@
 #include "dymsum/planar_operand.h"
 #include "dymsum/region.h"
 #include "dymsum/region_io.h"
-#include "dymsum/solid_by_planes.h"
 #include "exit_code.h"
 #include "json_report.h"
 
@@ -21,17 +20,16 @@ struct InputOptions {
   std::string nested;   ///< solids that are repaired: what shells inside of others are
   bool hull = false;    ///< solids: take the convex hull with dymsum::hulled and print its report on standard error
   bool thin = false;    ///< solids: points, segments and open surfaces are operands, too
-  bool offers_thin = false;               ///< whether the verb has --thin
-  bool offers_repair = false;             ///< whether it has --repair
-  std::string fill;                       ///< planar: rings bound what this rule says; of solids that are repaired, too
-  bool drop_z = false;                    ///< planar files: third coordinates are left out
-  std::string curve_error, curve_bound;   ///< planar files: how curves become chords
-  std::string join;                       ///< planar: ends of lines within this are joined
-  std::string snap;                       ///< the grid that coordinates are rounded to
-  std::string planes;                     ///< solids by their planes: within this, "auto" without a number; empty: not
-  std::vector<PartAxes> known_axes = {};  ///< of operands that were read before, by their planes
-  bool quiet = false;                     ///< repairs are not printed: they were before
-  std::string from;                       ///< the format of standard input; empty: told from its first characters
+  bool offers_thin = false;              ///< whether the verb has --thin
+  bool offers_repair = false;            ///< whether it has --repair
+  std::string fill;                      ///< planar: rings bound what this rule says; of solids that are repaired, too
+  bool drop_z = false;                   ///< planar files: third coordinates are left out
+  std::string curve_error, curve_bound;  ///< planar files: how curves become chords
+  std::string join;                      ///< planar: ends of lines within this are joined
+  std::string snap;                      ///< the grid that coordinates are rounded to
+  std::string planes;                    ///< solids by their planes: within this, "auto" without a number; empty: not
+  bool quiet = false;                    ///< repairs are not printed: they were before
+  std::string from;                      ///< the format of standard input; empty: told from its first characters
   bool repair() const { return !repairs.empty(); }
 };
 

@@ -146,7 +146,8 @@ def needles(rng):
     for a, b in sorted(edges):
         if (b, a) in edges:
             continue
-        middle = [v for v in range(len(points)) if (a, v) in edges and (v, b) in edges and (v, a) not in edges]
+        middle = [v for v in range(len(points)) if (a, v) in edges and (v, b) in edges and (v, a) not in edges
+                  and numpy.linalg.norm(numpy.cross(points[b] - points[a], points[v] - points[a])) < 1e-9]
         if middle:
             faces = faces + [(b, middle[0], a)]
             edges |= {(b, middle[0]), (middle[0], a), (a, b)}

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "dymsum/names.h"
+#include "dymsum/solid_by_planes.h"
 #include "dymsum/solid_union.h"
 #include "exit_code.h"
 #include "numbers.h"
@@ -164,29 +165,9 @@ Result<MeshFile> read_mesh_data(const std::string& file, const InputOptions& opt
 
 namespace {
 
-/// The solid by its planes; in doubles where these hold its vertices.
-Result<SolidInput> solid_by_planes(const MeshData& data, const std::string& file, const InputOptions& options,
-                                   ReadingNotes& notes) {
-  PlanesOptions how;
-  if (options.planes != "auto") how.tolerance = finite_number(options.planes);
-  how.known = options.known_axes;
-  Result<SolidByPlanes> made = by_planes(data, how);
-  if (!made) return made.error();
-  notes["planes"] = {{"tolerance", made->tolerance},   {"largest_move", made->largest_move},
-                     {"given_faces", made->faces},     {"faces", made->solid.faces.size()},
-                     {"bent_faces", made->bent_faces}, {"axes", made->axes.size()}};
-  if (!options.quiet) std::cerr << shown_file(file) << ": by planes: " << made->to_string() << "\n";
-  SolidInput input{file, Mesh()};
-  input.axes = std::move(made->axes);
-  if (Result<Mesh> mesh = as_mesh(made->solid)) input.mesh = mesh->canonical();
-  else input.result = std::move(made->solid);
-  return input;
-}
-
 /// Validates, repairs or takes the hull of lists whose coordinates are as they are to be.
 Result<SolidInput> solid_of(MeshData data, const std::string& file, const InputOptions& options, ReadingNotes& notes) {
   if (options.hull) return hull_of(data, file, options.quiet);
-  if (!options.planes.empty()) return solid_by_planes(data, file, options, notes);
   if (!options.repair()) {
     if (!options.fill.empty()) throw Stop(kUsage, "--fill of solids belongs to --repair");
     Result<Mesh> mesh = options.thin ? Mesh::with_thin_parts(data) : Mesh::create(data);
@@ -218,7 +199,59 @@ Result<SolidInput> make_solid(MeshFile read, const std::string& file, const Inpu
   return input;
 }
 
+namespace {
+
+/// The solid by its planes; in doubles where these hold its vertices.
+SolidInput input_of(SolidByPlanes made, const std::string& file, ReadingNotes notes, bool quiet) {
+  notes["planes"] = {{"tolerance", made.tolerance},   {"largest_move", made.largest_move},
+                     {"given_faces", made.faces},     {"faces", made.solid.faces.size()},
+                     {"bent_faces", made.bent_faces}, {"axes", made.axes.size()}};
+  if (!quiet) std::cerr << shown_file(file) << ": by planes: " << made.to_string() << "\n";
+  SolidInput input{file, Mesh()};
+  input.notes = std::move(notes);
+  input.by_planes = std::move(made.solid);
+  if (Result<Mesh> mesh = as_mesh(*input.by_planes)) input.mesh = mesh->canonical();
+  else input.result = input.by_planes;
+  return input;
+}
+
+}  // namespace
+
+std::vector<SolidInput> read_by_planes(const std::vector<std::string>& files, const InputOptions& options) {
+  if (options.thin) throw Stop(kUsage, "--planes is for solids without thin parts");
+  std::vector<SolidInput> inputs(files.size());
+  std::vector<std::size_t> of;
+  std::vector<MeshData> solids;
+  std::vector<ReadingNotes> notes;
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    if (holds_solid_result(files[k], options)) {
+      inputs[k] = result_operand(files[k], options);  // whose planes are what they are
+      continue;
+    }
+    MeshFile read = require(read_mesh_data(files[k], options));
+    ReadingNotes& note = notes.emplace_back(Json::object());
+    if (!read.unit.empty()) note["unit"] = read.unit;
+    if (std::optional<Error> error = snap_operand(read.data, files[k], options, note)) stop_with(*error);
+    of.push_back(k);
+    solids.push_back(std::move(read.data));
+  }
+  PlanesOptions how;
+  if (options.planes != "auto") how.tolerance = finite_number(options.planes);
+  Result<std::vector<SolidByPlanes>> made = by_planes(solids, how);
+  for (std::size_t k = 0; k < of.size() && !made; ++k) {  // whose fault it is
+    Result<SolidByPlanes> alone = by_planes(solids[k], how);
+    if (alone) continue;
+    Error error = alone.error();
+    error.evidence.file = shown_file(files[of[k]]);
+    stop_with(error);
+  }
+  for (std::size_t k = 0; k < of.size(); ++k)
+    inputs[of[k]] = input_of(std::move((*made)[k]), files[of[k]], std::move(notes[k]), options.quiet);
+  return inputs;
+}
+
 SolidInput read_solid(const std::string& file, const InputOptions& options) {
+  if (!options.planes.empty()) return std::move(read_by_planes({file}, options)[0]);
   if (holds_solid_result(file, options)) {
     refuse_planar_options(options);
     return result_operand(file, options);

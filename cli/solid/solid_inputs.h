@@ -20,7 +20,8 @@ struct SolidInput {
   ReadingNotes notes = Json::object();
   /// Of a file that holds an exact one whose vertices no doubles hold; `mesh` is empty then.
   std::optional<SpatialSum> result = {};
-  std::vector<PartAxes> axes = {};  ///< of a solid by its planes
+  /// A solid by its planes, also where `mesh` has it.
+  std::optional<SpatialSum> by_planes = {};
 };
 
 /// Stops with wrong usage for FILE#NAME where FILE is one of a solid.
@@ -38,6 +39,8 @@ std::optional<MeshFormat> mesh_format_of_input(const InputOptions& options);
 Result<MeshFile> read_mesh_data(const std::string& file, const InputOptions& options);
 /// Validates what was read from a file, or snaps, repairs it or takes its hull where requested.
 Result<SolidInput> make_solid(MeshFile read, const std::string& file, const InputOptions& options);
+/// Solids by their planes, with axes in common where that does; exact results as they are.
+std::vector<SolidInput> read_by_planes(const std::vector<std::string>& files, const InputOptions& options);
 /// The valid mesh of a file, or the exact result that it holds.
 SolidInput read_solid(const std::string& file, const InputOptions& options);
 

@@ -41,12 +41,10 @@ std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const
 
 std::vector<SolidInput> read_solids_and_results(const std::vector<std::string>& files, const InputOptions& options) {
   refuse_unused_format(files, options);
+  if (!options.planes.empty()) return read_by_planes(files, options);
   std::vector<SolidInput> inputs;
-  InputOptions with_axes = options;
   for (const std::string& file : files) {
-    inputs.push_back(read_solid(file, with_axes));
-    const std::vector<PartAxes>& axes = inputs.back().axes;
-    with_axes.known_axes.insert(with_axes.known_axes.end(), axes.begin(), axes.end());
+    inputs.push_back(read_solid(file, options));
     if (!options.hull && !options.quiet && !inputs.back().result) report_nearly_convex(inputs.back());
   }
   return inputs;

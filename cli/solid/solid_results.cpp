@@ -52,7 +52,10 @@ void refuse_fractions(const std::vector<SolidInput>& inputs) {
   for (const SolidInput& input : inputs)
     if (input.result)
       throw Stop(kBadInput, shown_file(input.file) +
-                                ": the vertices of this exact result are fractions, which sum, nfp and erode take, and "
+                                (input.notes.contains("planes")
+                                     ? ": by its planes, the vertices of this solid are fractions, which "
+                                     : ": the vertices of this exact result are fractions, which ") +
+                                " sum, nfp and erode take, and "
                                 "opening, closing and offset as the first operand; others take it in doubles, as "
                                 "dymsum convert FILE.json FILE.off writes it");
 }

@@ -13,35 +13,45 @@
 namespace dymsum::cli {
 namespace {
 
-bool is_result(const SolidInput& input) { return input.result.has_value(); }
+bool is_result(const SolidInput& input) { return input.result || input.by_planes; }
 
 /// The exact result that an input is.
 Result<SpatialSum> result_of(const SolidInput& input, const SpatialOptions& options) {
+  if (input.by_planes) return *input.by_planes;
   return input.result ? *input.result : united(std::span(&input.mesh, 1), options);
 }
 
 /// The operand of a sum: its second one inside out where the verb says so.
 SolidInput term_of(const SumVerb& verb, SolidInput input, bool second) {
   if (!second || !verb.reflects_second) return input;
+  if (input.by_planes) input.by_planes = negated(*input.by_planes);
   if (input.result) input.result = negated(*input.result);
   else input.mesh = negated(input.mesh);
   return input;
 }
 
-/// A result first, then all other operands, in their order.
+Result<SpatialSum> sum_of_two(const SolidInput& p, const SolidInput& q, const SpatialOptions& options) {
+  if (p.by_planes && q.by_planes) return minkowski_sum(*p.by_planes, *q.by_planes, options);
+  if (p.result && q.result) return minkowski_sum(*p.result, *q.result, options);
+  if (p.result) return minkowski_sum(*p.result, q.mesh, options);
+  return q.result ? minkowski_sum(p.mesh, *q.result, options) : minkowski_sum(p.mesh, q.mesh, options);
+}
+
+/// All operands in their order.
 Result<SpatialSum> sum_with_results(const SumVerb& verb, const std::vector<SolidInput>& inputs,
                                     const SpatialOptions& options) {
   if (!verb.is_sum) {
     const Result<SpatialSum> p = result_of(inputs[0], options), q = result_of(inputs[1], options);
     return !p ? p : !q ? q : verb.result(*p, *q, options);
   }
-  std::vector<SolidInput> terms;
-  for (const SolidInput& input : inputs) terms.push_back(term_of(verb, input, terms.size() == 1));
-  std::stable_partition(terms.begin(), terms.end(), is_result);
-  Result<SpatialSum> sum = *terms[0].result;
-  for (auto term = terms.begin() + 1; term != terms.end() && sum; ++term)
-    sum = term->result ? minkowski_sum(*sum, *term->result, options) : minkowski_sum(*sum, term->mesh, options);
-  return sum;
+  SolidInput sum = inputs[0];
+  for (std::size_t k = 1; k < inputs.size(); ++k) {
+    Result<SpatialSum> next = sum_of_two(sum, term_of(verb, inputs[k], k == 1), options);
+    if (!next) return next;
+    sum.result = *std::move(next);
+    if (sum.by_planes) sum.by_planes = sum.result;
+  }
+  return *std::move(sum.result);
 }
 
 Result<SpatialSum> sum_of(const SumVerb& verb, const std::vector<SolidInput>& inputs, const SpatialOptions& options) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,9 @@ using PartAxes = std::array<Point3, 3>;
 
 struct PlanesOptions {
   /// The most that a vertex may move. Nothing: 2^-40 of the part's size (2^-20 where all coordinates are of single
-  /// precision and one is no multiple of 2^-12 of the size), but at least 64 units in the last place of the largest
+  /// precision and one is no multiple of 2^-12 of the size), but at least 64 ulps of the largest
   /// coordinate.
   std::optional<double> tolerance;
-  /// Axes of other parts: where faces lie in planes of as few directions along them as along axes of the part's own,
-  /// they are taken, so that faces that are parallel in both stay so.
-  std::vector<PartAxes> known;
   SpatialOptions sums;  ///< threads, memory and progress of the union that makes the solid
 };
 
@@ -51,7 +49,11 @@ struct SolidByPlanes {
 /// The data need not be plane, and coordinates need not be equal where faces meet, to within the tolerance; in all else
 /// it has to be a closed surface as `united` takes it, by positive winding numbers.
 /// Errors: as united; out_of_range for a tolerance that is not positive and finite or below the least that is named
-/// above, with that; not_closed with a position. Cost: that of the union.
+/// above, with that; no_area where nothing is left; not_closed with a position. Cost: that of the union.
 Result<SolidByPlanes> by_planes(const MeshData& data, const PlanesOptions& options = {});
+
+/// The same of several solids, in their order, with axes in common wherever none of them has more directions of planes
+/// for that: parts that were turned alike. The order does not matter.
+Result<std::vector<SolidByPlanes>> by_planes(std::span<const MeshData> solids, const PlanesOptions& options = {});
 
 }  // namespace dymsum

@@ -225,6 +225,7 @@ Result<Mesh> as_mesh(const SpatialSum& sum);
 /// the operands as as_mesh would number them; of two operands by the same planes (by_planes), those of what they were
 /// before they were mapped. Errors: as minkowski_sum.
 Result<SpatialSum> minkowski_sum(const SpatialSum& p, const Mesh& q, const SpatialOptions& options = {});
+Result<SpatialSum> minkowski_sum(const Mesh& p, const SpatialSum& q, const SpatialOptions& options = {});
 Result<SpatialSum> minkowski_sum(const SpatialSum& p, const SpatialSum& q, const SpatialOptions& options = {});
 
 /// The sum of several operands, at least one. Convex solids alone are added from the first one on, exactly whatever

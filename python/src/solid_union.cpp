@@ -85,14 +85,20 @@ void bind_by_planes(nb::module_& m) {
       .def("__str__", &SolidByPlanes::to_string);
   m.def(
       "by_planes",
-      [](const MeshDataArgument& data, std::optional<double> tolerance, const std::vector<PartAxes>& known,
-         const SpatialOptions& options) {
-        return run_with(options, [&](const SpatialOptions& own) { return by_planes(*data, {tolerance, known, own}); });
+      [](const std::vector<MeshData>& solids, std::optional<double> tolerance, const SpatialOptions& options) {
+        return run_with(options, [&](const SpatialOptions& own) { return by_planes(solids, {tolerance, own}); });
       },
-      "data"_a, "tolerance"_a = nb::none(), "known"_a = std::vector<PartAxes>(), "options"_a = SpatialOptions(),
+      "solids"_a, "tolerance"_a = nb::none(), "options"_a = SpatialOptions(),
+      "The same of several, with axes in common where none has more directions of planes for that.");
+  m.def(
+      "by_planes",
+      [](const MeshDataArgument& data, std::optional<double> tolerance, const SpatialOptions& options) {
+        return run_with(options, [&](const SpatialOptions& own) { return by_planes(*data, {tolerance, own}); });
+      },
+      "data"_a, "tolerance"_a = nb::none(), "options"_a = SpatialOptions(),
       R"(The solid whose faces are plane and parallel where those of the data are but for rounding, exactly: turned boxes,
-prisms and what is made of them. `known` are axes of other parts, to be shared. Raises Error: out_of_range for a
-tolerance that is too small; not_finite; bad_index; too_few_vertices; not_closed; cancelled; out_of_memory.
+prisms and what is made of them. Raises Error: out_of_range for a tolerance that is too small; no_area where nothing
+is left; not_finite; bad_index; too_few_vertices; not_closed; cancelled; out_of_memory.
 
 >>> from math import cos, sin
 >>> from dymsum import MeshData, by_planes, solids

@@ -40,7 +40,7 @@ class EdgeTree {
     Point low, high;
     std::uint32_t first, last, right;  // its edges; its right child, the left one follows it; of a leaf 0
   };
-  /// Rough distances are off by some units in the last place of the coordinates.
+  /// Rough distances are off by some ulps of the coordinates.
   static double slack_of(double reach) { return 0x1p-40 * reach + 0x1p-1060; }
   void add_node(std::uint32_t first, std::uint32_t last);
   /// Edges that are at most `slack` further than the nearest, roughly.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kDirections = 32;
 
-/// Of length 1, but for some units in the last place.
+/// Of length 1, but for some ulps.
 const std::array<Point, kDirections>& directions() {
   static const std::array<Point, kDirections> all = [] {
     std::array<Point, kDirections> made;
@@ -46,7 +46,7 @@ double depth_bound(const Extent& a, const Extent& b, const Interval& dx, const I
     const double opposite = b.high_[(k + kDirections / 2) % kDirections];
     bound = std::min(bound, a.high_[k] + opposite - (u.x * dx.midpoint() + u.y * dy.midpoint()));
   }
-  // Sums of products that are off by some units in the last place of the coordinates.
+  // Sums of products that are off by some ulps of the coordinates.
   const double reach = a.reach_ + b.reach_ + std::max(std::abs(dx.low()), std::abs(dx.high())) +
                        std::max(std::abs(dy.low()), std::abs(dy.high()));
   return std::max(0.0, bound) * (1 + 0x1p-40) + 0x1p-40 * reach + 0x1p-1060;

@@ -16,7 +16,7 @@ InnerDiscs::InnerDiscs(const PlanarSum& set, const EdgeTree& edges) {
     Point centre{0, 0};
     const auto n = static_cast<double>(cell.vertices.size());
     for (const PointRef& p : cell.vertices) centre = {centre.x + p->near.x / n, centre.y + p->near.y / n};
-    // The centre is off by some units in the last place, as the distance is.
+    // The centre is off by some ulps, as the distance is.
     const double radius = edges.rough_distance(centre) - 4 * edges.slack(edges, *cell.vertices[0]);
     if (radius > 0) all.push_back({centre, radius});
   }

@@ -281,7 +281,7 @@ class LayoutChecker {
     for (std::size_t k = 0; k < overlaps_.size(); ++k) {
       const Overlap& overlap = overlaps_[k];
       LayoutFault made = fault(LayoutFault::Kind::overlap, overlap.part, overlap.other, overlap.at);
-      // Bounds are some units in the last place too large: of overlaps that are as deep as each other few are measured.
+      // Bounds are some ulps too large: of overlaps that are as deep as each other few are measured.
       constexpr double kNearly = 1 + 0x1p-30;
       if (deepest.size() == options_.measured && (deepest.empty() || overlap.at_most <= *deepest.begin() * kNearly)) {
         made.measured = false;

@@ -76,7 +76,7 @@ class FaultList {
       for (const std::uint32_t v : face) used[v] = true;
     for (std::uint32_t v = 0; v < first_.size(); ++v) {
       if (first_[v] == v) continue;
-      Error error = error_at(ErrorCode::repeated_vertex, "two vertices are at the same place", first_[v]);
+      Error error = error_at(ErrorCode::repeated_vertex, "two vertices are at the same position", first_[v]);
       error.evidence.other_vertex = v;
       add(std::move(error));
     }

@@ -96,12 +96,6 @@ PartAxes public_axes(const FaceAxes& axes) {
   return result;
 }
 
-FaceAxes inner_axes(const PartAxes& axes) {
-  FaceAxes result;
-  for (std::size_t k = 0; k < 3; ++k) result[k] = {axes[k].x, axes[k].y, axes[k].z};
-  return result;
-}
-
 /// Values within `width` become one. `rounded` says which one of a sorted run.
 template <class F>
 std::size_t join_values(std::vector<double>& values, double width, F rounded) {
@@ -152,6 +146,8 @@ Vec3 solve(const FaceAxes& columns, Vec3 x) {
 class PartMaker {
  public:
   PartMaker(const MeshData& data, double tolerance) : data_(data), tolerance_(tolerance) {}
+  const MeshData& data() const { return data_; }
+  double tolerance() const { return tolerance_; }
 
   Part make(const FaceAxes& columns, const std::vector<std::uint32_t>& faces) const {
     Part part;
@@ -159,7 +155,7 @@ class PartMaker {
     part.map.rows = spatial::transposed(columns);
     const std::vector<std::uint32_t> used = vertices_of(faces);
     const bool own = spatial::same_linear_part(part.map, AffineMap{});
-    own ? join_in_place(part, used) : join_along(part, columns, used);
+    own ? join_own(part, used) : join_along(part, columns, used);
     part.data.faces.assign(data_.faces.size(), Face{0});
     for (const std::uint32_t f : faces) part.data.faces[f] = data_.faces[f];
     return part;
@@ -177,7 +173,7 @@ class PartMaker {
   }
   double width() const { return tolerance_ / 4; }
 
-  void join_in_place(Part& part, const std::vector<std::uint32_t>& used) const {
+  void join_own(Part& part, const std::vector<std::uint32_t>& used) const {
     for (double Point3::*axis : {&Point3::x, &Point3::y, &Point3::z}) {
       std::vector<double> values;
       for (const std::uint32_t v : used) values.push_back(data_.vertices[v].*axis);
@@ -239,11 +235,14 @@ exact::Residue residue_of(double v) {
   return d.mantissa < 0 ? exact::minus(0, shifted) : shifted;
 }
 
-/// How many planes through the origin the faces' planes are parallel to; two may count as one with a chance of 2^-61.
+/// A direction of planes.
+using Direction = std::array<exact::Residue, 3>;
+
+/// The planes through the origin that the faces' planes are parallel to; two may count as one with a chance of 2^-61.
 /// The fewer, the more of what was meant.
-std::size_t directions_of(const Part& part, const std::vector<std::uint32_t>& faces) {
+std::vector<Direction> directions_of(const Part& part, const std::vector<std::uint32_t>& faces) {
   using exact::minus, exact::times;
-  std::vector<std::array<exact::Residue, 3>> directions;
+  std::vector<Direction> directions;
   const auto residues = [&](std::uint32_t v) {
     const Point3& p = part.data.vertices[v];
     return std::array{residue_of(p.x), residue_of(p.y), residue_of(p.z)};
@@ -255,9 +254,8 @@ std::size_t directions_of(const Part& part, const std::vector<std::uint32_t>& fa
       const auto b = residues(face[k]), c = residues(face[k + 1]);
       std::array<exact::Residue, 3> u, v;
       for (std::size_t i = 0; i < 3; ++i) u[i] = minus(b[i], a[i]), v[i] = minus(c[i], a[i]);
-      std::array<exact::Residue, 3> n{minus(times(u[1], v[2]), times(u[2], v[1])),
-                                      minus(times(u[2], v[0]), times(u[0], v[2])),
-                                      minus(times(u[0], v[1]), times(u[1], v[0]))};
+      Direction n{minus(times(u[1], v[2]), times(u[2], v[1])), minus(times(u[2], v[0]), times(u[0], v[2])),
+                  minus(times(u[0], v[1]), times(u[1], v[0]))};
       const auto leading = std::find_if(n.begin(), n.end(), [](exact::Residue r) { return r != 0; });
       if (leading == n.end()) continue;  // no area
       const exact::Residue by = exact::inverse(*leading);
@@ -266,91 +264,193 @@ std::size_t directions_of(const Part& part, const std::vector<std::uint32_t>& fa
     }
   }
   std::sort(directions.begin(), directions.end());
-  return static_cast<std::size_t>(std::unique(directions.begin(), directions.end()) - directions.begin());
+  directions.erase(std::unique(directions.begin(), directions.end()), directions.end());
+  return directions;
 }
 
-/// Faces by the axes of their shells.
-struct FacesOfAxes {
-  FaceAxes axes;
-  std::vector<std::uint32_t> faces;
+bool equal_axes(const FaceAxes& a, const FaceAxes& b) { return spatial::same_linear_part({a, {}}, {b, {}}); }
+
+/// A solid's data in units in which its coordinates are of about one size, where squares and products of doubles are.
+struct Scaled {
+  MeshData data;
+  int exponent = 0;
+  double radius = 0;
+  Tolerance tolerance;
 };
 
-class ByPlanes {
+Scaled scaled_data(const MeshData& data, const std::optional<double>& wanted) {
+  double largest = 0;
+  for (const Point3& v : data.vertices) largest = std::max(largest, largest_of(v));
+  Scaled result{data, 0, 0, {}};
+  constexpr int kPlain = 100;
+  if (largest > 0 && std::abs(std::ilogb(largest)) > kPlain) result.exponent = std::ilogb(largest);
+  for (Point3& v : result.data.vertices)
+    v = {std::ldexp(v.x, -result.exponent), std::ldexp(v.y, -result.exponent), std::ldexp(v.z, -result.exponent)};
+  const Extent box = extent_of(result.data.vertices);
+  result.radius = std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z) / 2;
+  result.tolerance =
+      tolerance_for(result.data.vertices, wanted ? std::optional(std::ldexp(*wanted, -result.exponent)) : std::nullopt);
+  return result;
+}
+
+/// The faces of one surface, and the axes that it has.
+struct ShellAxes {
+  std::size_t solid = 0;
+  std::vector<std::uint32_t> faces;
+  std::optional<FaceAxes> found, chosen;
+  std::vector<std::size_t> good;  ///< candidates along which its planes have the fewest directions
+};
+
+std::vector<ShellAxes> shells_of(const std::vector<Scaled>& solids) {
+  std::vector<ShellAxes> all;
+  for (std::size_t k = 0; k < solids.size(); ++k) {
+    const Scaled& solid = solids[k];
+    const spatial::Shells shells = spatial::find_shells(spatial::half_edges(solid.data.faces));
+    const std::size_t first = all.size();
+    all.resize(first + shells.count);
+    for (std::uint32_t f = 0; f < solid.data.faces.size(); ++f) all[first + shells.of_face[f]].faces.push_back(f);
+    for (std::size_t s = first; s < all.size(); ++s) {
+      all[s].solid = k;
+      const auto found = spatial::face_axes(solid.data, all[s].faces, solid.tolerance.value / 4);
+      if (found) all[s].found = rounded_axes(*found, solid.radius, solid.tolerance.value);
+    }
+  }
+  return all;
+}
+
+/// Chooses the axes of every shell among the coordinates' own and those that were found of any shell, in whatever order
+/// the solids are: those along which the faces lie in planes of the fewest directions. Where several do, those without
+/// which another shell would have more, so that parts have axes in common; else the own ones. Candidates that have no
+/// axis in common with what was found of a shell are left out: few rounded vertices may lie in planes by chance.
+class AxesChoice {
  public:
-  ByPlanes(const MeshData& data, const PlanesOptions& options, double tolerance)
-      : data_(data), options_(options), tolerance_(tolerance) {
-    const Extent box = extent_of(data.vertices);
-    radius_ = std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z) / 2;
-    for (const PartAxes& axes : options.known) known_.push_back(inner_axes(axes));
+  AxesChoice(const std::vector<Scaled>& solids, std::vector<ShellAxes>& shells) : solids_(solids), shells_(shells) {}
+
+  void run() {
+    add_candidates();
+    needed_.resize(candidates_.size());
+    for (ShellAxes& shell : shells_)
+      if (shell.found) rate(shell);
+    for (ShellAxes& shell : shells_)
+      if (shell.found) shell.chosen = candidates_[best_of(shell.good)];
+    for (ShellAxes& shell : shells_)  // pieces of a surface that does not close by its vertices alone
+      if (!shell.found) shell.chosen = axes_of_most_faces(shell.solid);
   }
 
-  Result<SolidByPlanes> run() {
-    sort_by_axes();
-    const PartMaker maker(data_, tolerance_);
-    std::vector<Part> parts;
-    for (const FacesOfAxes& group : groups_) parts.push_back(maker.make(group.axes, group.faces));
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      result_.merged += parts[k].merged;
-      for (const std::uint32_t f : groups_[k].faces)
-        result_.bent_faces += !is_plane(parts[k].data.vertices, data_.faces[f]);
+ private:
+  double angle_of(const ShellAxes& shell) const {
+    return solids_[shell.solid].tolerance.value / (8 * solids_[shell.solid].radius);
+  }
+  void add_candidates() {
+    const auto numbers = [](const FaceAxes& a) {
+      return std::array{a[0].x, a[0].y, a[0].z, a[1].x, a[1].y, a[1].z, a[2].x, a[2].y, a[2].z};
+    };
+    std::vector<const ShellAxes*> found;
+    for (const ShellAxes& shell : shells_)
+      if (shell.found) found.push_back(&shell);
+    std::sort(found.begin(), found.end(),
+              [&](const ShellAxes* a, const ShellAxes* b) { return numbers(*a->found) < numbers(*b->found); });
+    candidates_ = {kOwnAxes};
+    for (const ShellAxes* shell : found)
+      if (std::none_of(candidates_.begin(), candidates_.end(),
+                       [&](const FaceAxes& axes) { return spatial::same_axes(*shell->found, axes, angle_of(*shell)); }))
+        candidates_.push_back(*shell->found);
+  }
+  void rate(ShellAxes& shell) {
+    const Scaled& solid = solids_[shell.solid];
+    const PartMaker maker(solid.data, solid.tolerance.value);
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      if (!spatial::have_common_axis(*shell.found, candidates_[k], angle_of(shell))) continue;
+      const std::size_t count = directions_of(maker.make(candidates_[k], shell.faces), shell.faces).size();
+      if (count < fewest) shell.good.clear();
+      fewest = std::min(fewest, count);
+      if (count == fewest) shell.good.push_back(k);
     }
-    Result<SpatialSum> solid = parts.size() == 1 ? united_part(parts[0]) : united_parts(parts);
+    if (shell.good.size() == 1) needed_[shell.good[0]] = true;
+  }
+  std::size_t best_of(const std::vector<std::size_t>& good) const {
+    const auto needed = std::find_if(good.begin(), good.end(), [&](std::size_t k) { return needed_[k]; });
+    return needed == good.end() ? good.front() : *needed;
+  }
+  FaceAxes axes_of_most_faces(std::size_t solid) const {
+    std::size_t most = 0;
+    FaceAxes axes = kOwnAxes;
+    for (const ShellAxes& shell : shells_)
+      if (shell.solid == solid && shell.found && shell.faces.size() > most)
+        most = shell.faces.size(), axes = *shell.chosen;
+    return axes;
+  }
+
+  const std::vector<Scaled>& solids_;
+  std::vector<ShellAxes>& shells_;
+  std::vector<FaceAxes> candidates_;
+  std::vector<bool> needed_;
+};
+
+/// Makes a solid of its shells, whose axes are chosen.
+class SolidMaker {
+ public:
+  SolidMaker(const MeshData& data, const Scaled& scaled, const PlanesOptions& options)
+      : data_(data), maker_(scaled.data, scaled.tolerance.value), exponent_(scaled.exponent), options_(options) {}
+
+  Result<SolidByPlanes> run(const std::vector<const ShellAxes*>& shells) {
+    make_parts(shells);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      result_.merged += parts_[k].merged;
+      for (const std::uint32_t f : faces_[k]) result_.bent_faces += !is_plane(parts_[k].data.vertices, data_.faces[f]);
+    }
+    Result<SpatialSum> solid = parts_.size() == 1 ? united_part(parts_[0]) : united_parts();
     if (!solid) return solid.error();
     result_.solid = *std::move(solid);
-    result_.tolerance = tolerance_, result_.faces = data_.faces.size();
-    for (std::size_t k = 0; k < parts.size(); ++k) measure_moves(parts[k], groups_[k].faces);
+    result_.tolerance = std::ldexp(maker_.tolerance(), exponent_), result_.faces = data_.faces.size();
+    for (std::size_t k = 0; k < parts_.size(); ++k) measure_moves(parts_[k], faces_[k]);
+    if (result_.solid.faces.empty()) return nothing_left();
     return std::move(result_);
   }
 
  private:
-  /// The axes along which the faces of a shell lie in planes of the fewest directions: those that are known, else the
-  /// coordinates' own, where they do as well as those that were found. Where own axes are none of the found ones that
-  /// is chance, of a few rounded vertices, and other parts would not share it.
-  FaceAxes chosen(const FaceAxes& found, const std::vector<std::uint32_t>& shell) {
-    const double angle = tolerance_ / (8 * radius_);
-    std::vector<FaceAxes> candidates = known_;
-    if (spatial::share_an_axis(found, kOwnAxes, angle)) candidates.push_back(kOwnAxes);
-    if (std::none_of(candidates.begin(), candidates.end(),
-                     [&](const FaceAxes& axes) { return spatial::same_axes(found, axes, angle); }))
-      candidates.push_back(rounded_axes(found, radius_, tolerance_));
-    const PartMaker maker(data_, tolerance_);
-    std::size_t best = 0, fewest = std::numeric_limits<std::size_t>::max();
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      const std::size_t directions = directions_of(maker.make(candidates[k], shell), shell);
-      if (directions < fewest) best = k, fewest = directions;
+  /// Shells with equal axes are one part, unless each by itself has planes of fewer directions: what is symmetric about
+  /// its own midpoint need not be so about that of all.
+  void make_parts(const std::vector<const ShellAxes*>& shells) {
+    std::vector<bool> taken(shells.size());
+    for (std::size_t k = 0; k < shells.size(); ++k) {
+      if (taken[k]) continue;
+      const FaceAxes& axes = *shells[k]->chosen;
+      if (!equal_axes(axes, kOwnAxes)) result_.axes.push_back(public_axes(axes));
+      std::vector<std::vector<std::uint32_t>> alone;
+      std::vector<std::uint32_t> together;
+      for (std::size_t j = k; j < shells.size(); ++j) {
+        if (taken[j] || !equal_axes(*shells[j]->chosen, axes)) continue;
+        taken[j] = true;
+        alone.push_back(shells[j]->faces);
+        together.insert(together.end(), shells[j]->faces.begin(), shells[j]->faces.end());
+      }
+      const Part joint = maker_.make(axes, together);
+      if (alone.size() == 1 || directions_of(joint, together).size() <= directions_alone(axes, alone))
+        add(joint, together);
+      else
+        for (const std::vector<std::uint32_t>& faces : alone) add(maker_.make(axes, faces), faces);
     }
-    const FaceAxes axes = candidates[best];
-    if (best >= known_.size() && !spatial::same_linear_part({axes, {}}, {kOwnAxes, {}})) known_.push_back(axes);
-    return axes;
   }
-
-  void sort_by_axes() {
-    const spatial::Shells shells = spatial::find_shells(spatial::half_edges(data_.faces));
-    std::vector<std::vector<std::uint32_t>> faces(shells.count);
-    for (std::uint32_t f = 0; f < data_.faces.size(); ++f) faces[shells.of_face[f]].push_back(f);
-    std::vector<std::uint32_t> without;  // as pieces of a surface that does not close by its vertices alone
-    for (const std::vector<std::uint32_t>& shell : faces) {
-      const std::optional<FaceAxes> found = spatial::face_axes(data_, shell, tolerance_ / 4);
-      if (!found) without.insert(without.end(), shell.begin(), shell.end());
-      else add_faces(chosen(*found, shell), shell);
+  std::size_t directions_alone(const FaceAxes& axes, const std::vector<std::vector<std::uint32_t>>& shells) const {
+    std::vector<Direction> all;
+    for (const std::vector<std::uint32_t>& faces : shells) {
+      const std::vector<Direction> own = directions_of(maker_.make(axes, faces), faces);
+      all.insert(all.end(), own.begin(), own.end());
     }
-    if (without.empty()) return list_axes();
-    const auto most = std::max_element(groups_.begin(), groups_.end(), [](const FacesOfAxes& a, const FacesOfAxes& b) {
-      return a.faces.size() < b.faces.size();
-    });
-    add_faces(most == groups_.end() ? kOwnAxes : most->axes, without);
-    list_axes();
+    std::sort(all.begin(), all.end());
+    return static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
   }
-  void add_faces(const FaceAxes& axes, const std::vector<std::uint32_t>& faces) {
-    auto group = std::find_if(groups_.begin(), groups_.end(), [&](const FacesOfAxes& g) {
-      return spatial::same_linear_part({g.axes, {}}, {axes, {}});
-    });
-    if (group == groups_.end()) group = groups_.insert(group, FacesOfAxes{axes, {}});
-    group->faces.insert(group->faces.end(), faces.begin(), faces.end());
-  }
-  void list_axes() {
-    for (const FacesOfAxes& group : groups_)
-      if (!spatial::same_linear_part({group.axes, {}}, {kOwnAxes, {}})) result_.axes.push_back(public_axes(group.axes));
+  void add(Part part, std::vector<std::uint32_t> faces) {
+    if (exponent_ != 0) {
+      for (Vec3& row : part.map.rows)
+        row = {std::ldexp(row.x, exponent_), std::ldexp(row.y, exponent_), std::ldexp(row.z, exponent_)};
+      const exact::BigInteger power = exact::BigInteger(1) << std::abs(exponent_);
+      for (BigRational& c : part.map.shift) exponent_ > 0 ? c *= power : c /= power;
+    }
+    parts_.push_back(std::move(part));
+    faces_.push_back(std::move(faces));
   }
 
   Result<SpatialSum> united_part(const Part& part) const {
@@ -361,18 +461,18 @@ class ByPlanes {
   }
 
   /// Parts with axes of their own meet as exact sets.
-  Result<SpatialSum> united_parts(const std::vector<Part>& parts) const {
+  Result<SpatialSum> united_parts() const {
     spatial::ExactSet all;
     std::vector<std::uint32_t> face;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
       const auto first = static_cast<std::uint32_t>(all.at.size());
-      for (const Point3& v : parts[k].data.vertices) {
-        all.at.push_back(image(parts[k].map, v));
+      for (const Point3& v : parts_[k].data.vertices) {
+        all.at.push_back(image(parts_[k].map, v));
         const auto c = [&](std::size_t axis) { return exact::round_to_double(all.at.back()[axis]); };
         all.set.vertices.push_back({c(0), c(1), c(2)});
       }
-      for (const std::uint32_t f : groups_[k].faces) {
-        const std::vector<Point3>& at = parts[k].data.vertices;
+      for (const std::uint32_t f : faces_[k]) {
+        const std::vector<Point3>& at = parts_[k].data.vertices;
         for (const auto& [a, b, c] :
              spatial::triangulated(at, data_.faces[f], spatial::average_view(at, data_.faces[f]))) {
           if (exact::collinear(at[a], at[b], at[c])) continue;
@@ -416,16 +516,25 @@ class ByPlanes {
           return exact::round_to_double(BigRational(at[axis] - exact::exact_value(c)));
         };
         const double moved = std::hypot(off(0, from.x), off(1, from.y), off(2, from.z));
-        result_.largest_move = std::max(result_.largest_move, moved * (1 + 0x1p-48));  // above what was rounded
+        // Above what was rounded, also where that is subnormal.
+        if (moved > 0) result_.largest_move = std::max(result_.largest_move, moved * (1 + 0x1p-48) + 0x1p-1071);
       }
     }
   }
 
+  Error nothing_left() const {
+    char text[96];
+    std::snprintf(text, sizeof text, "nothing is left of the solid: it is thinner than the tolerance, %.3g",
+                  result_.tolerance);
+    return {ErrorCode::no_area, text, {}};
+  }
+
   const MeshData& data_;
+  const PartMaker maker_;
+  int exponent_;
   const PlanesOptions& options_;
-  double tolerance_, radius_ = 0;
-  std::vector<FaceAxes> known_;
-  std::vector<FacesOfAxes> groups_;
+  std::vector<Part> parts_;
+  std::vector<std::vector<std::uint32_t>> faces_;
   SolidByPlanes result_;
 };
 
@@ -454,20 +563,52 @@ std::string SolidByPlanes::to_string() const {
          (bent_faces == 0 ? "" : "; " + counted(bent_faces, "polygon") + " in no plane split into triangles") + moved;
 }
 
-Result<SolidByPlanes> by_planes(const MeshData& data, const PlanesOptions& options) {
-  if (auto error = spatial::check_finite(data.vertices)) return *std::move(error);
-  if (auto error = spatial::check_indices(data)) return *std::move(error);
+namespace {
+
+std::optional<Error> fault_of(const MeshData& data) {
+  if (auto error = spatial::check_finite(data.vertices)) return error;
+  if (auto error = spatial::check_indices(data)) return error;
   for (std::size_t f = 0; f < data.faces.size(); ++f) {
     if (data.faces[f].size() >= 3) continue;
     Error error{ErrorCode::too_few_vertices, "a face has fewer than three vertices", {}};
     error.evidence.face = static_cast<std::int64_t>(f);
     return error;
   }
-  if (data.faces.empty()) return SolidByPlanes{};
-  const Tolerance tolerance = tolerance_for(data.vertices, options.tolerance);
-  if (!(tolerance.value >= tolerance.least && tolerance.value > 0) || !std::isfinite(tolerance.value))
-    return no_tolerance(tolerance);
-  return ByPlanes(data, options, tolerance.value).run();
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<std::vector<SolidByPlanes>> by_planes(std::span<const MeshData> solids, const PlanesOptions& options) {
+  std::vector<Scaled> scaled;
+  for (const MeshData& data : solids) {
+    if (auto error = fault_of(data)) return *std::move(error);
+    scaled.push_back(scaled_data(data, options.tolerance));
+    const Tolerance& tolerance = scaled.back().tolerance;
+    if (data.faces.empty() ||
+        (tolerance.value >= tolerance.least && tolerance.value > 0 && std::isfinite(tolerance.value)))
+      continue;
+    const int e = scaled.back().exponent;
+    return no_tolerance({std::ldexp(tolerance.least, e), options.tolerance.value_or(0)});
+  }
+  std::vector<ShellAxes> shells = shells_of(scaled);
+  AxesChoice(scaled, shells).run();
+  std::vector<SolidByPlanes> made;
+  for (std::size_t k = 0; k < solids.size(); ++k) {
+    std::vector<const ShellAxes*> own;
+    for (const ShellAxes& shell : shells)
+      if (shell.solid == k) own.push_back(&shell);
+    Result<SolidByPlanes> solid = own.empty() ? SolidByPlanes{} : SolidMaker(solids[k], scaled[k], options).run(own);
+    if (!solid) return solid.error();
+    made.push_back(*std::move(solid));
+  }
+  return made;
+}
+
+Result<SolidByPlanes> by_planes(const MeshData& data, const PlanesOptions& options) {
+  Result<std::vector<SolidByPlanes>> made = by_planes(std::span(&data, 1), options);
+  if (!made) return made.error();
+  return std::move(std::move(made).value()[0]);
 }
 
 }  // namespace dymsum

@@ -149,7 +149,7 @@ bool same_axes(const FaceAxes& a, const FaceAxes& b, double angle) {
   return std::all_of(a.begin(), a.end(), [&](const Vec3& u) { return has_axis(b, u, angle); });
 }
 
-bool share_an_axis(const FaceAxes& a, const FaceAxes& b, double angle) {
+bool have_common_axis(const FaceAxes& a, const FaceAxes& b, double angle) {
   return std::any_of(a.begin(), a.end(), [&](const Vec3& u) { return has_axis(b, u, angle); });
 }
 

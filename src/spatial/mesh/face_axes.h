@@ -24,6 +24,6 @@ std::optional<FaceAxes> face_axes(const MeshData& data, std::span<const std::uin
 
 /// Whether two of them are the same directions but for their order and their signs, to within `angle`.
 bool same_axes(const FaceAxes& a, const FaceAxes& b, double angle);
-bool share_an_axis(const FaceAxes& a, const FaceAxes& b, double angle);
+bool have_common_axis(const FaceAxes& a, const FaceAxes& b, double angle);
 
 }  // namespace dymsum::spatial

@@ -226,6 +226,11 @@ Result<SpatialSum> minkowski_sum(const SpatialSum& p, const Mesh& q, const Spati
   return spatial::sum_of_exact_sets(spatial::exact_set(p), spatial::exact_set(q.data(), q.thin_faces()), options);
 }
 
+Result<SpatialSum> minkowski_sum(const Mesh& p, const SpatialSum& q, const SpatialOptions& options) {
+  if (const Result<Mesh> mesh = as_mesh(q)) return minkowski_sum(p, *mesh, options);
+  return spatial::sum_of_exact_sets(spatial::exact_set(p.data(), p.thin_faces()), spatial::exact_set(q), options);
+}
+
 Result<SpatialSum> minkowski_sum(const SpatialSum& p, const SpatialSum& q, const SpatialOptions& options) {
   if (auto sum = sum_before_mapping(p, q, options)) return *std::move(sum);
   const Result<Mesh> a = as_mesh(p), b = as_mesh(q);
