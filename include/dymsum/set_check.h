@@ -106,8 +106,24 @@ struct PlanarOffsetCheck {
   CheckVerdict at_most(const Rational& r) const;
 };
 
+/// The same of solids.
+struct SolidOffsetCheck {
+  SolidExcess beyond;
+  Rational least_squared;
+  double least = 0;
+  RationalPoint3 least_at, least_from;
+  SolidExcess between;  ///< outside: exact where A is convex; else bounded as that of SolidSetCheck
+
+  CheckVerdict at_least(const Rational& r) const;
+  CheckVerdict at_most(const Rational& r) const;
+};
+
 /// Compares closures of interiors, exactly; true arcs are not needed. Errors and cost: as check_set.
 Result<PlanarOffsetCheck> check_offset(const PlanarOperand& a, const PlanarOperand& made, DiscSide side,
                                        const Progress& progress = {});
+/// The same of solids. Errors and cost: as check_set of solids; the least distance is that of O(n log n) pairs of faces
+/// where few are nearly as near as the nearest.
+Result<SolidOffsetCheck> check_offset(const Mesh& a, const Mesh& made, DiscSide side,
+                                      const SpatialOptions& options = {});
 
 }  // namespace dymsum

@@ -65,6 +65,15 @@ void bind_set_records(nb::module_& m) {
       .field("between", &PlanarOffsetCheck::between, "What lies between both, and what of it is furthest.")
       .def("at_least", &PlanarOffsetCheck::at_least, "r"_a, "Whether it holds the offset by r; inside: lies in it.")
       .def("at_most", &PlanarOffsetCheck::at_most, "r"_a, "Whether it lies in the offset by r; inside: holds it.");
+  Record<SolidOffsetCheck>(m, "SolidOffsetCheck", "The same of solids.")
+      .field("beyond", &SolidOffsetCheck::beyond)
+      .field("least_squared", &SolidOffsetCheck::least_squared)
+      .field("least", &SolidOffsetCheck::least)
+      .field("least_at", &SolidOffsetCheck::least_at)
+      .field("least_from", &SolidOffsetCheck::least_from)
+      .field("between", &SolidOffsetCheck::between, "Outside: exact where A is convex.")
+      .def("at_least", &SolidOffsetCheck::at_least, "r"_a)
+      .def("at_most", &SolidOffsetCheck::at_most, "r"_a);
 }
 
 void bind_mesh_check(nb::module_& m) {
@@ -150,6 +159,13 @@ void bind_set_check(nb::module_& m) {
 >>> check.least, check.between.squared, check.at_least(1).name, check.at_most(1).name
 (1.0, Fraction(2, 1), 'right', 'wrong')
 )doc");
+  m.def(
+      "check_offset",
+      [](const Mesh& a, const Mesh& made, DiscSide side, const SpatialOptions& options) {
+        return run_with(options, [&](const SpatialOptions& own) { return check_offset(a, made, side, own); });
+      },
+      "a"_a, "made"_a, "side"_a, "options"_a = SpatialOptions(),
+      "The same of solids. Raises Error: unsupported_operand, out_of_range, cancelled, out_of_memory.");
 }
 
 }  // namespace dymsum::python

@@ -57,6 +57,21 @@ TriangleNearest nearest_on(const RationalVector& p, const ExactTriangle& t) {
   return *std::move(best);
 }
 
+std::optional<SegmentsNearest> nearest_inside(const RationalVector& a0, const RationalVector& a1,
+                                              const RationalVector& b0, const RationalVector& b1) {
+  const RationalVector u = minus(a1, a0), v = minus(b1, b0), w = minus(b0, a0);
+  const BigRational uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
+  const BigRational area = uu * vv - uv * uv;
+  if (area == 0) return std::nullopt;
+  // s along a and t along b: the connection is at right angles to both.
+  const BigRational s = (uw * vv - uv * vw) / area, t = (uv * uw - uu * vw) / area;
+  if (s <= 0 || s >= 1 || t <= 0 || t >= 1) return std::nullopt;
+  SegmentsNearest nearest{0, along(a0, u, s), along(b0, v, t)};
+  const RationalVector d = minus(nearest.of_b, nearest.of_a);
+  nearest.squared = dot(d, d);
+  return nearest;
+}
+
 double rough_distance(const Point3& p, const std::array<Point3, 3>& t) {
   const auto minus = [](const Point3& a, const Point3& b) { return Point3{a.x - b.x, a.y - b.y, a.z - b.z}; };
   const auto cross = [](const Point3& a, const Point3& b) {

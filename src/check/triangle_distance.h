@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "dymsum/mesh.h"
 #include "exact/big.h"
@@ -17,6 +18,15 @@ struct TriangleNearest {
   RationalVector at;
 };
 TriangleNearest nearest_on(const RationalVector& p, const ExactTriangle& t);
+
+/// The squared distance of two segments and the positions that are so near, where these lie inside of both and the
+/// segments are not parallel.
+struct SegmentsNearest {
+  exact::BigRational squared;
+  RationalVector of_a, of_b;
+};
+std::optional<SegmentsNearest> nearest_inside(const RationalVector& a0, const RationalVector& a1,
+                                              const RationalVector& b0, const RationalVector& b1);
 
 /// The distance in doubles. Two of them differ from the exact distances by no more than this, times the largest
 /// coordinate: triangles thinner than 2^-20 of their longest side count as their sides, others have a normal to 2^-30.

@@ -246,6 +246,35 @@ TEST(SolidSetCheck, DistancesAreThoseOfManyPositions) {
   EXPECT_LT(coarse, 12);
 }
 
+TEST(SolidOffsetCheck, DistancesOfBoxesAroundABox) {
+  const Mesh a = solids::box(0, 0, 0, 4, 4, 4), made = solids::box(-1, -1, -2, 5, 5, 5);
+  const SolidOffsetCheck check = *check_offset(a, made, DiscSide::outside);
+  EXPECT_EQ(check.least, 1);
+  EXPECT_EQ(check.between.squared, ratio(6));
+  EXPECT_TRUE(check.between.exact);
+  EXPECT_EQ(check.at_least(1), CheckVerdict::right);
+  EXPECT_EQ(check.at_least(ratio(1001, 1000)), CheckVerdict::wrong);
+  EXPECT_EQ(check.at_most(ratio(5, 2)), CheckVerdict::right);
+  EXPECT_EQ(check.at_most(ratio(12, 5)), CheckVerdict::wrong);
+  const SolidOffsetCheck shrunk = *check_offset(made, a, DiscSide::inside);
+  EXPECT_EQ(shrunk.least, 1);
+  EXPECT_EQ(shrunk.at_most(ratio(1, 2)), CheckVerdict::wrong);
+  EXPECT_EQ(shrunk.at_most(100), CheckVerdict::right);
+  const SolidOffsetCheck out = *check_offset(a, solids::box(-1, -1, -1, 5, 5, 3.5), DiscSide::outside);
+  EXPECT_EQ(out.at_least(0), CheckVerdict::wrong);
+  EXPECT_EQ(out.beyond.squared, ratio(1, 4));
+}
+
+TEST(SolidOffsetCheck, NearestPositionsMayLieInsideTwoEdges) {
+  // A notch whose edge crosses that of the box at a distance.
+  const Point3 far[]{{2, 1, 0.5}, {1, 2, 0.5}, {9, 8, -3}, {8, 9, -3}, {9, 8, 4}, {8, 9, 4}};
+  const Mesh made = *difference(solids::box(-3, -3, -3, 4, 4, 4), *convex_hull(far))->rounded_mesh();
+  const SolidOffsetCheck check = *check_offset(solids::box(0, 0, 0, 1, 1, 1), made, DiscSide::outside);
+  EXPECT_EQ(check.least_squared, ratio(1, 2));
+  EXPECT_EQ(check.least_from, (RationalPoint3{1, 1, ratio(1, 2)}));
+  EXPECT_EQ(check.least_at, (RationalPoint3{ratio(3, 2), ratio(3, 2), ratio(1, 2)}));
+}
+
 TEST(OffsetCheck, DistancesOfASquareAroundASquare) {
   const Region a = box(0, 0, 4, 4), made = box(-1, -2, 5, 5);
   const PlanarOffsetCheck check = *check_offset(a, made, DiscSide::outside);

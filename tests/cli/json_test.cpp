@@ -78,6 +78,7 @@ const std::vector<Case> kCases = {
     {"check_set", "check-sum peg.wkt slot.wkt frame.wkt --exact", 4},
     {"check_set", "check-nfp square.wkt peg.wkt square.wkt --within 100"},
     {"check_set", "check-fit frame.wkt peg.wkt frame.wkt --semantics closed", 4},
+    {"check_solid_offset", "check-offset cube.off ell.off --radius 1/2", 4},
     {"check_solid_set", "check-sum ell.off cube.off cube.off", 4},
     {"check_solid_set", "check-nfp cube.off cube.off cube.off --within 9 --exact"},
     {"check_mesh", "check-mesh cube.off"},

@@ -149,13 +149,14 @@ class PartMaker {
   const MeshData& data() const { return data_; }
   double tolerance() const { return tolerance_; }
 
-  Part make(const FaceAxes& columns, const std::vector<std::uint32_t>& faces) const {
+  /// With coordinates from so many units beside the midpoint on, where that is asked.
+  Part make(const FaceAxes& columns, const std::vector<std::uint32_t>& faces, double beside = 0) const {
     Part part;
     part.data.vertices = data_.vertices;
     part.map.rows = spatial::transposed(columns);
     const std::vector<std::uint32_t> used = vertices_of(faces);
     const bool own = spatial::same_linear_part(part.map, AffineMap{});
-    own ? join_own(part, used) : join_along(part, columns, used);
+    own ? join_own(part, used) : join_along(part, columns, used, beside);
     part.data.faces.assign(data_.faces.size(), Face{0});
     for (const std::uint32_t f : faces) part.data.faces[f] = data_.faces[f];
     return part;
@@ -184,7 +185,7 @@ class PartMaker {
 
   /// Values are multiples of a unit from the midpoint between the smallest and the largest on, so that what is
   /// symmetric stays so.
-  void join_along(Part& part, const FaceAxes& columns, const std::vector<std::uint32_t>& used) const {
+  void join_along(Part& part, const FaceAxes& columns, const std::vector<std::uint32_t>& used, double beside) const {
     const double unit = power_below(tolerance_ / 16);
     const Extent box = extent_of(data_.vertices);
     const auto midpoint = [&](double a, double b) { return std::nearbyint((a / 2 + b / 2) / unit) * unit; };
@@ -199,7 +200,7 @@ class PartMaker {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::vector<double>& values = along[axis];
       const auto [low, high] = std::minmax_element(values.begin(), values.end());
-      const double center = *low / 2 + *high / 2;
+      const double center = *low / 2 + *high / 2 + beside * unit;
       for (double& v : values) v -= center;
       part.merged += join_values(values, width(), [&](const std::vector<double>& run) {
         return std::nearbyint((run.front() / 2 + run.back() / 2) / unit) * unit;
@@ -320,8 +321,9 @@ std::vector<ShellAxes> shells_of(const std::vector<Scaled>& solids) {
 
 /// Chooses the axes of every shell among the coordinates' own and those that were found of any shell, in whatever order
 /// the solids are: those along which the faces lie in planes of the fewest directions. Where several do, those without
-/// which another shell would have more, so that parts have axes in common; else the own ones. Candidates that have no
-/// axis in common with what was found of a shell are left out: few rounded vertices may lie in planes by chance.
+/// which another shell would have more, so that parts have axes in common; else the own ones. Of candidates that
+/// have no axis in common with what was found of a shell, planes by chance do not count, which few rounded vertices may
+/// lie in: those that a shift takes away, and own ones of coordinates with all digits.
 class AxesChoice {
  public:
   AxesChoice(const std::vector<Scaled>& solids, std::vector<ShellAxes>& shells) : solids_(solids), shells_(shells) {}
@@ -361,13 +363,27 @@ class AxesChoice {
     const PartMaker maker(solid.data, solid.tolerance.value);
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      if (!spatial::have_common_axis(*shell.found, candidates_[k], angle_of(shell))) continue;
-      const std::size_t count = directions_of(maker.make(candidates_[k], shell.faces), shell.faces).size();
+      const bool related = spatial::have_common_axis(*shell.found, candidates_[k], angle_of(shell));
+      if (k == 0 && !related && !has_few_digits(shell)) continue;
+      const std::size_t count =
+          directions_of(maker.make(candidates_[k], shell.faces, related ? 0 : kBeside), shell.faces).size();
       if (count < fewest) shell.good.clear();
       fewest = std::min(fewest, count);
       if (count == fewest) shell.good.push_back(k);
     }
     if (shell.good.size() == 1) needed_[shell.good[0]] = true;
+  }
+  bool has_few_digits(const ShellAxes& shell) const {
+    const Scaled& solid = solids_[shell.solid];
+    const double unit = power_below(solid.tolerance.value / 16);
+    const auto is_multiple = [&](double c) { return std::remainder(c, unit) == 0; };
+    for (const std::uint32_t f : shell.faces) {
+      for (const std::uint32_t v : solid.data.faces[f]) {
+        const Point3& p = solid.data.vertices[v];
+        if (!is_multiple(p.x) || !is_multiple(p.y) || !is_multiple(p.z)) return false;
+      }
+    }
+    return true;
   }
   std::size_t best_of(const std::vector<std::size_t>& good) const {
     const auto needed = std::find_if(good.begin(), good.end(), [&](std::size_t k) { return needed_[k]; });
@@ -381,6 +397,8 @@ class AxesChoice {
         most = shell.faces.size(), axes = *shell.chosen;
     return axes;
   }
+
+  static constexpr double kBeside = 0.37;  // of a unit
 
   const std::vector<Scaled>& solids_;
   std::vector<ShellAxes>& shells_;
