@@ -22,6 +22,18 @@ std::string result_name(const SolidConvert& command) {
   return (command.verb == "hull" ? "hull of " : "") + shape_name(command.in) + ".off";
 }
 
+/// An exact result, or a solid by its planes.
+SolidInput exact_input(const SolidConvert& command) {
+  SolidInput input{command.in, Mesh()};
+  if (holds_solid_result(command.in, command.input)) {
+    input.result = read_solid_result(command.in, command.input);
+  } else {
+    input = std::move(read_by_planes({command.in}, command.input)[0]);
+    input.result = input.by_planes;
+  }
+  return input;
+}
+
 /// Written as the verb writes it that it is the result of.
 ExitCode convert_result(const SolidConvert& command) {
   if (command.verb != "convert")
@@ -32,7 +44,8 @@ ExitCode convert_result(const SolidConvert& command) {
   const SolidOutput how{command.to, false, command.triangulate};
   const ResultPages pages(*command.parser, files);
   check_solid_outputs(files, how, ".html (the viewer), ");
-  const auto [sum, timing] = timed(1, [&] { return read_solid_result(command.in, command.input); });
+  const auto [input, timing] = timed(1, [&] { return exact_input(command); });
+  const SpatialSum& sum = *input.result;
   if (pages.any() && sum.faces.empty()) pages.stop_with_nothing_to_show();
   const InterruptGuard guard;
   Json rounding;
@@ -43,8 +56,6 @@ ExitCode convert_result(const SolidConvert& command) {
   }
   if (pages.any()) pages.write({result_name(command), solid_output(sum, pages.file(), {})});
   if (!command.json) return kDone;
-  SolidInput input{command.in, Mesh()};
-  input.result = sum;
   Json report = report_head(command.verb, solid_inputs_json({input}), 0, timing);
   report.update({{"output", command.out},
                  {"shells", sum.shells},
@@ -58,7 +69,7 @@ ExitCode convert_result(const SolidConvert& command) {
 }  // namespace
 
 ExitCode run_solid_convert(const SolidConvert& command) {
-  if (holds_solid_result(command.in, command.input)) return convert_result(command);
+  if (holds_solid_result(command.in, command.input) || !command.input.planes.empty()) return convert_result(command);
   std::vector<std::string> files{command.out};
   const ResultPages pages(*command.parser, files);
   for (const std::string& file : files) mesh_output_format(file, command.to);  // before anything is read

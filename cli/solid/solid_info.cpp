@@ -83,15 +83,14 @@ void print_result(const SpatialSum& sum) {
 }
 
 /// An exact result, as it was written.
-ExitCode run_result_info(const SolidInfo& command) {
-  const auto [sum, timing] = timed(1, [&] { return read_solid_result(command.file, command.input); });
+ExitCode show_result(const SolidInfo& command, const SpatialSum& sum, ReadingNotes notes, const Timing& timing) {
   for (const std::string& file : command.pictures) write_text(file, solid_output(sum, file));
   if (!command.json) {
     print_result(sum);
     return kDone;
   }
   SolidInput input{command.file, Mesh()};
-  input.result = sum;
+  input.result = sum, input.notes = std::move(notes);
   Json json = report_head("info", solid_inputs_json({input}), 0, timing);
   json.update({{"valid", true}, {"exact", true}, {"edges", sum.edges().size()}, {"bounds", bounds_json(sum)}});
   json.update(solid_sum_json(sum, false));
@@ -107,9 +106,15 @@ ExitCode run_solid_info(const SolidInfo& command) {
     if (!format || *format != MeshFormat::glb)
       throw Stop(kUsage, "info draws solids as .glb pictures or .html only, not " + file);
   }
-  if (holds_solid_result(command.file, command.input)) return run_result_info(command);
-  const auto [solid, timing] = timed(
-      1, [&] { return make_solid(require(read_mesh_data(command.file, command.input)), command.file, command.input); });
+  if (holds_solid_result(command.file, command.input)) {
+    const auto [sum, timing] = timed(1, [&] { return read_solid_result(command.file, command.input); });
+    return show_result(command, sum, Json::object(), timing);
+  }
+  const auto [solid, timing] = timed(1, [&]() -> Result<SolidInput> {
+    if (!command.input.planes.empty()) return read_by_planes({command.file}, command.input)[0];
+    return make_solid(require(read_mesh_data(command.file, command.input)), command.file, command.input);
+  });
+  if (solid && solid->result) return show_result(command, *solid->result, solid->notes, timing);
   if (!solid) {
     if (command.json) print_report(invalid_json(solid.error(), timing));
     else std::cout << "not valid (" << name(solid.error().code) << ")\n";

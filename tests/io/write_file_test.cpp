@@ -151,6 +151,7 @@ TEST(WriteFile, killed_at_any_time_the_file_is_the_old_one_or_the_new_one) {
   for (int k = 0; k < 25; ++k) {
     const pid_t child = ::fork();
     if (child == 0) {
+      ::signal(SIGINT, SIG_DFL);  // which a shell ignores for what it runs in the background
       for (int turn = 0;; ++turn) {
         if (!write_file(path, texts[turn % 2]).ok()) ::_exit(1);
       }

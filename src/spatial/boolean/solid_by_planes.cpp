@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -299,7 +300,8 @@ struct ShellAxes {
   std::size_t solid = 0;
   std::vector<std::uint32_t> faces;
   std::optional<FaceAxes> found, chosen;
-  std::vector<std::size_t> good;  ///< candidates along which its planes have the fewest directions
+  /// Candidates along which its planes have the fewest directions, with these.
+  std::map<std::size_t, std::vector<Direction>> good;
 };
 
 std::vector<ShellAxes> shells_of(const std::vector<Scaled>& solids) {
@@ -320,21 +322,25 @@ std::vector<ShellAxes> shells_of(const std::vector<Scaled>& solids) {
 }
 
 /// Chooses the axes of every shell among the coordinates' own and those that were found of any shell, in whatever order
-/// the solids are: those along which the faces lie in planes of the fewest directions. Where several do, those without
-/// which another shell would have more, so that parts have axes in common; else the own ones. Of candidates that
-/// have no axis in common with what was found of a shell, planes by chance do not count, which few rounded vertices may
-/// lie in: those that a shift takes away, and own ones of coordinates with all digits.
+/// the solids are: of those along which its faces lie in planes of the fewest directions the ones that do for most
+/// shells, then those along which the planes of all these have the fewest directions together, then the own ones. Of
+/// candidates that have no axis in common with what was found of a shell, planes by chance do not count, which few
+/// rounded vertices may lie in: those that a shift takes away, and own ones of coordinates with all digits.
 class AxesChoice {
  public:
   AxesChoice(const std::vector<Scaled>& solids, std::vector<ShellAxes>& shells) : solids_(solids), shells_(shells) {}
 
   void run() {
     add_candidates();
-    needed_.resize(candidates_.size());
+    std::vector<ShellAxes*> open;
     for (ShellAxes& shell : shells_)
-      if (shell.found) rate(shell);
-    for (ShellAxes& shell : shells_)
-      if (shell.found) shell.chosen = candidates_[best_of(shell.good)];
+      if (shell.found) rate(shell), open.push_back(&shell);
+    while (!open.empty()) {
+      const std::size_t best = best_for(open);
+      for (ShellAxes* shell : open)
+        if (shell->good.contains(best)) shell->chosen = candidates_[best];
+      std::erase_if(open, [](const ShellAxes* shell) { return shell->chosen.has_value(); });
+    }
     for (ShellAxes& shell : shells_)  // pieces of a surface that does not close by its vertices alone
       if (!shell.found) shell.chosen = axes_of_most_faces(shell.solid);
   }
@@ -365,13 +371,15 @@ class AxesChoice {
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
       const bool related = spatial::have_common_axis(*shell.found, candidates_[k], angle_of(shell));
       if (k == 0 && !related && !has_few_digits(shell)) continue;
-      const std::size_t count =
-          directions_of(maker.make(candidates_[k], shell.faces, related ? 0 : kBeside), shell.faces).size();
+      std::vector<Direction> directions = directions_of(maker.make(candidates_[k], shell.faces), shell.faces);
+      std::size_t count = directions.size();
+      for (const double beside : {0.37, 0.13, 0.71})
+        if (!related)
+          count = std::max(count, directions_of(maker.make(candidates_[k], shell.faces, beside), shell.faces).size());
       if (count < fewest) shell.good.clear();
       fewest = std::min(fewest, count);
-      if (count == fewest) shell.good.push_back(k);
+      if (count == fewest) shell.good.emplace(k, std::move(directions));
     }
-    if (shell.good.size() == 1) needed_[shell.good[0]] = true;
   }
   bool has_few_digits(const ShellAxes& shell) const {
     const Scaled& solid = solids_[shell.solid];
@@ -385,9 +393,22 @@ class AxesChoice {
     }
     return true;
   }
-  std::size_t best_of(const std::vector<std::size_t>& good) const {
-    const auto needed = std::find_if(good.begin(), good.end(), [&](std::size_t k) { return needed_[k]; });
-    return needed == good.end() ? good.front() : *needed;
+  std::size_t best_for(const std::vector<ShellAxes*>& open) const {
+    std::size_t best = 0, most = 0, fewest = 0;
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      std::size_t shells = 0;
+      std::vector<Direction> all;
+      for (const ShellAxes* shell : open) {
+        const auto good = shell->good.find(k);
+        if (good == shell->good.end()) continue;
+        ++shells;
+        all.insert(all.end(), good->second.begin(), good->second.end());
+      }
+      std::sort(all.begin(), all.end());
+      const auto directions = static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
+      if (shells > most || (shells == most && directions < fewest)) best = k, most = shells, fewest = directions;
+    }
+    return best;
   }
   FaceAxes axes_of_most_faces(std::size_t solid) const {
     std::size_t most = 0;
@@ -398,12 +419,9 @@ class AxesChoice {
     return axes;
   }
 
-  static constexpr double kBeside = 0.37;  // of a unit
-
   const std::vector<Scaled>& solids_;
   std::vector<ShellAxes>& shells_;
   std::vector<FaceAxes> candidates_;
-  std::vector<bool> needed_;
 };
 
 /// Makes a solid of its shells, whose axes are chosen.
