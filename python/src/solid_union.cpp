@@ -82,20 +82,33 @@ void bind_by_planes(nb::module_& m) {
       .field("merged", &SolidByPlanes::merged, "coordinates along an axis that became one with another one")
       .field("bent_faces", &SolidByPlanes::bent_faces, "polygons in no plane, which became triangles")
       .field("faces", &SolidByPlanes::faces, "of the data")
-      .def("__str__", &SolidByPlanes::to_string);
+      .def("to_string", &SolidByPlanes::to_string);
+  Record<PlanesOptions> options(m, "PlanesOptions", "Options of by_planes.");
+  options.def(
+      "__init__",
+      [](PlanesOptions* self, std::optional<double> tolerance, const SpatialOptions& sums) {
+        new (self) PlanesOptions{tolerance, sums};
+      },
+      "tolerance"_a = nb::none(), "sums"_a = SpatialOptions());
+  options.option("tolerance", &PlanesOptions::tolerance, "the most that a vertex may move; None: by the coordinates")
+      .option("sums", &PlanesOptions::sums, "of the union that makes the solid");
   m.def(
       "by_planes",
-      [](const std::vector<MeshData>& solids, std::optional<double> tolerance, const SpatialOptions& options) {
-        return run_with(options, [&](const SpatialOptions& own) { return by_planes(solids, {tolerance, own}); });
+      [](const std::vector<MeshData>& solids, const PlanesOptions& options) {
+        return run_with(options.sums, [&](const SpatialOptions& own) {
+          return by_planes(solids, {options.tolerance, own});
+        });
       },
-      "solids"_a, "tolerance"_a = nb::none(), "options"_a = SpatialOptions(),
+      "solids"_a, "options"_a = PlanesOptions(),
       "The same of several, with axes in common where none has more directions of planes for that.");
   m.def(
       "by_planes",
-      [](const MeshDataArgument& data, std::optional<double> tolerance, const SpatialOptions& options) {
-        return run_with(options, [&](const SpatialOptions& own) { return by_planes(*data, {tolerance, own}); });
+      [](const MeshDataArgument& data, const PlanesOptions& options) {
+        return run_with(options.sums, [&](const SpatialOptions& own) {
+          return by_planes(*data, {options.tolerance, own});
+        });
       },
-      "data"_a, "tolerance"_a = nb::none(), "options"_a = SpatialOptions(),
+      "data"_a, "options"_a = PlanesOptions(),
       R"(The solid whose faces are plane and parallel where those of the data are but for rounding, exactly: turned boxes,
 prisms and what is made of them. Raises Error: out_of_range for a tolerance that is too small; no_area where nothing
 is left; not_finite; bad_index; too_few_vertices; not_closed; cancelled; out_of_memory.

@@ -135,6 +135,12 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
         "pose_batch_arrays",
         lambda f: dymsum.pose_batch_arrays(BALL, BOX, [(1, 0, 0, 0)] * 40, dymsum.BatchOptions(progress=f)),
     ),
+    ("by_planes", lambda f: dymsum.by_planes(ANGLE, dymsum.PlanesOptions(sums=solid(f)))),
+    ("by_planes", lambda f: dymsum.by_planes([dymsum.MeshData(ANGLE.vertices, ANGLE.faces)], dymsum.PlanesOptions(sums=solid(f)))),
+    ("check_offset", lambda f: dymsum.check_offset(P, Q, dymsum.DiscSide.outside, f)),
+    ("check_offset", lambda f: dymsum.check_offset(ANGLE, BOX, dymsum.DiscSide.outside, solid(f))),
+    ("check_set", lambda f: dymsum.check_set(P, Q, dymsum.SetCheckOptions(progress=f))),
+    ("check_set", lambda f: dymsum.check_set(dymsum.minkowski_sum(ANGLE, BOX), ANGLE, solid(f))),
     ("united", lambda f: dymsum.united(ANGLE, options=solid(f))),
     ("united", lambda f: dymsum.united([ANGLE, BOX], solid(f))),
     ("united", lambda f: dymsum.united([P, Q], planar(f))),
@@ -194,9 +200,11 @@ def _signatures(function: Any) -> list[str]:
 
 def _that_take_a_progress() -> Iterator[str]:
     options = [
-        name for name, kind in vars(dymsum).items() if name.endswith("Options") and hasattr(kind, "progress")
+        name
+        for name, kind in vars(dymsum).items()
+        if name.endswith("Options") and (hasattr(kind, "progress") or hasattr(kind, "sums"))
     ]
-    assert len(options) == 18
+    assert len(options) == 20
     for name, value in vars(dymsum).items():
         members = vars(value).items() if inspect.isclass(value) else [("", value)]
         for member, function in members:
