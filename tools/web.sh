@@ -16,17 +16,19 @@ pugixml_source() {
 }
 
 # The modules of the live objects and of the command line, for engines without and with vector instructions, in the package.
-# Either build of a module is started by the same JavaScript.
+# Either build of a module is started by the same JavaScript. The viewer has a module of its own, with vector instructions.
 build_package() {
-  local kind package=web/package/dist
+  local kind package=web/package/dist page=web/viewer/module
   need "${core_packages[@]}" "${web_packages[@]}" || return 1
   command -v node >/dev/null || need nodejs || return 1
   command -v npm >/dev/null || need npm || return 1
   pugixml_source || return 1
-  mkdir -p "$package"
+  mkdir -p "$package" "$page"
   for kind in wasm wasm-simd; do
     configure "$kind" && build "build/$kind" dymsum_live dymsum_command || return 1
   done
+  build build/wasm-simd dymsum_page || return 1
+  cp build/wasm-simd/dymsum-page-simd.{js,wasm} "$page"
   cp build/wasm/dymsum{,-command}.{js,wasm} build/wasm-simd/dymsum{,-command}-simd.wasm "$package"
   for kind in dymsum dymsum-command; do
     diff <(sed "s/$kind-simd\.wasm/$kind.wasm/g" "build/wasm-simd/$kind-simd.js") "build/wasm/$kind.js" >&2 || return 1

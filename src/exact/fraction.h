@@ -23,6 +23,9 @@ class Fraction {
   Fraction(const Int<B>& v) : above_(to_big(v).value()) {}  // NOLINT(google-explicit-constructor)
   Fraction(const Big& v) : above_(v.value()) {}             // NOLINT(google-explicit-constructor)
   static Fraction from_int64(std::int64_t v) { return Fraction(BigInteger(v)); }
+  static Fraction from_dyadic_difference(std::int64_t m, int shift, std::int64_t n, int other_shift) {
+    return Big::from_dyadic_difference(m, shift, n, other_shift);
+  }
 
   const BigInteger& above() const { return above_; }
   const BigInteger& below() const { return below_; }

@@ -4,19 +4,32 @@ import { refusal } from './errors.js';
 
 const sum = ['engine', 'semantics', 'trace', 'progress'];
 const spatial = ['engine', 'semantics', 'tight', 'memory', 'progress'];
+const boolean = ['semantics', 'progress'];
+const solidBoolean = ['memory', 'progress'];
 const moving = ['moving', 'reflectQ', 'semantics', 'mode', 'window', 'keptWindowBytes', 'progress'];
 
 /** Of each function of the module that takes options: which argument they are, and their names. */
 export const optionsOf = {
-  sumOfRegions: [2, sum],
+  sumOfSets: [2, sum],
   sumOfMeshes: [2, spatial],
+  sumOfResult: [2, spatial],
   nfp: [2, sum],
   erode: [2, sum],
   erodeMeshes: [2, spatial],
+  erodeResult: [2, spatial],
   opening: [2, [...spatial, 'between']],
   closing: [2, [...spatial, 'between']],
   offset: [3, [...spatial, 'bound']],
   unionOf: [1, sum],
+  united: [1, boolean],
+  unitedMeshes: [1, solidBoolean],
+  intersection: [2, boolean],
+  intersectionOfMeshes: [2, solidBoolean],
+  difference: [2, boolean],
+  differenceOfMeshes: [2, solidBoolean],
+  symmetricDifference: [2, boolean],
+  symmetricDifferenceOfMeshes: [2, solidBoolean],
+  byPlanes: [1, ['tolerance', 'known', ...solidBoolean]],
   rotatedSum: [3, sum],
   sliceOfSum: [3, spatial],
   cspaceSlice: [3, sum],
@@ -36,6 +49,7 @@ export const optionsOf = {
   'Mesh.repair': [1, ['thinParts']],
   'ScalingSum.create': [2, moving],
   'RotatingSum.create': [2, moving],
+  'ScalingFamily.create': [4, ['moving', 'reflectQ', 'semantics', 'progress']],
   'PlanarLocalSum.create': [2, ['engine', 'progress']],
   'LocalSum.create': [2, ['engine', 'tight', 'progress']],
   'MovingSolidSum.create': [2, ['semantics', 'tight', 'mode', 'progress']],

@@ -296,6 +296,15 @@ export interface PlanarSum extends Disposable {
   toJson(): string;
 }
 
+/** What an operation takes: a region, or the exact result of another one (what open semantics left out of it counts again). */
+export type PlanarOperand = Region | PlanarSum;
+
+/**
+ * Of Boolean operations. Closed: what is taken away is open, and what has no interior is in `segments` and `points`; open: operands
+ * are open, and such pieces are tight features; regular: the closure of the interior.
+ */
+export interface BooleanOptions { semantics?: Semantics; progress?: Progress; }
+
 export interface ConvolutionSizes { full: number; kinetic: number; reduced: number; }
 
 // ------------------------------------------------------------------------------------------- planar sums that move
@@ -373,6 +382,33 @@ export interface ScalingSum extends MovingPlanarSum {
 export interface RotatingSum extends MovingPlanarSum {
   set(angle: Angle): FrameChanges;
   orientation(): { radians: number; tanHalf: ExactText };
+}
+
+/**
+ * What a sum of a family has from cell `firstCell` to `lastCell`: a vertex by its contacts, and the vertices that it is the sum of; the
+ * contact of an edge, which is `in` and `out`; a hole by its identity. Cell k lies before event k, and after the one before.
+ */
+export interface Lifetime {
+  feature: 'vertex' | 'edge' | 'hole';
+  in: Contact | null;
+  out: Contact | null;
+  cornerP: number | null;
+  cornerQ: number | null;
+  hole: number | null;
+  firstCell: number;
+  lastCell: number;
+}
+/** All sums s P (+) Q of an interval of scales, as one object. */
+export interface ScalingFamily extends Disposable {
+  /** The sum at a scale of the interval. */
+  at(s: ExactInput): PlanarSum;
+  /** All of the interval, each scale once. */
+  events(): ScaleEvent[];
+  changes(from: ExactInput, to: ExactInput, change?: 'visible' | 'topology'): ScaleEvent[];
+  lifetimes(): Lifetime[];
+  /** What lies in the sum at some scale, and at every one. */
+  outer(from: ExactInput, to: ExactInput): PlanarSum;
+  inner(from: ExactInput, to: ExactInput): PlanarSum;
 }
 
 // -------------------------------------------------------------------------------------------- scales that fit, depth
@@ -616,6 +652,34 @@ export interface SpatialOptions {
   /** bytes; 0: no limit */
   memory?: number;
   progress?: Progress;
+}
+/** Of Boolean operations on solids, which are closed and regular. */
+export interface SolidBooleanOptions {
+  /** bytes; 0: no limit */
+  memory?: number;
+  progress?: Progress;
+}
+/** The directions of a part's axes: doubles of few digits. */
+export type PartAxes = readonly [Point3, Point3, Point3];
+export interface PlanesOptions {
+  /** The most that a vertex may move; else 2^-40 of the part's size (2^-20 in single precision). */
+  tolerance?: number;
+  /** Axes of other parts, so that faces that are parallel in both stay so. */
+  known?: PartAxes[];
+  memory?: number;
+  progress?: Progress;
+}
+/** `largestMove`: no vertex is further from where it was; `merged`: coordinates that became one with another one. */
+export interface SolidByPlanes {
+  /** one sentence with all of the below */
+  report: string;
+  solid: SpatialSum;
+  axes: PartAxes[];
+  tolerance: number;
+  largestMove: number;
+  merged: number;
+  /** polygons in no plane, which became triangles */
+  bentFaces: number;
 }
 /**
  * A sum of solids, for drawing. `triangles` index `vertices`, which are those of the sum (`exact` takes their indices).
@@ -906,23 +970,40 @@ export interface Live {
   readonly Region: RegionClass;
   readonly Mesh: MeshClass;
 
-  /** P (+) Q of regions, or of solids. */
-  minkowskiSum(p: Region, q: Region, options?: SumOptions): PlanarSum;
+  /** P (+) Q of regions and results, or of solids: of a result what is tight does not count. */
+  minkowskiSum(p: PlanarOperand, q: PlanarOperand, options?: SumOptions): PlanarSum;
   minkowskiSum(p: Mesh, q: Mesh, options?: SpatialOptions): SpatialSum;
+  minkowskiSum(p: SpatialSum, q: Mesh | SpatialSum, options?: SpatialOptions): SpatialSum;
   /** A (+) -B: where B's reference point may stand so that B meets A. With `semantics: 'open'` exact fits are its tight features. */
-  nfp(a: Region, b: Region, options?: SumOptions): PlanarSum;
+  nfp(a: PlanarOperand, b: PlanarOperand, options?: SumOptions): PlanarSum;
   /** { x : x + Q inside P }; positions without freedom are `segments` and `points`. */
-  erode(p: Region, q: Region, options?: SumOptions): PlanarSum;
+  erode(p: PlanarOperand, q: PlanarOperand, options?: SumOptions): PlanarSum;
   erode(p: Mesh, q: Mesh, options?: SpatialOptions): SpatialSum;
+  erode(p: SpatialSum, q: Mesh | SpatialSum, options?: SpatialOptions): SpatialSum;
+  /** What lies in one of the operands; of none it is an empty planar set. */
+  united(sets: PlanarOperand[], options?: BooleanOptions): PlanarSum;
+  united(solids: Mesh[], options?: SolidBooleanOptions): SpatialSum;
+  /** What lies in both. */
+  intersection(a: PlanarOperand, b: PlanarOperand, options?: BooleanOptions): PlanarSum;
+  intersection(a: Mesh, b: Mesh, options?: SolidBooleanOptions): SpatialSum;
+  /** What lies in `a` and not in `b`. */
+  difference(a: PlanarOperand, b: PlanarOperand, options?: BooleanOptions): PlanarSum;
+  difference(a: Mesh, b: Mesh, options?: SolidBooleanOptions): SpatialSum;
+  /** What lies in one of both alone. */
+  symmetricDifference(a: PlanarOperand, b: PlanarOperand, options?: BooleanOptions): PlanarSum;
+  symmetricDifference(a: Mesh, b: Mesh, options?: SolidBooleanOptions): SpatialSum;
+  /** The solid whose faces are plane and parallel where those of the data are but for rounding. */
+  byPlanes(data: MeshData, options?: PlanesOptions): SolidByPlanes;
   /** (A (-) B) (+) B and (A (+) B) (-) B; `between: 'rounded'` where positions between the two are no doubles */
   opening(a: Mesh, b: Mesh, options?: SpatialOptions & { between?: 'exact' | 'rounded' }): SolidOpening;
   closing(a: Mesh, b: Mesh, options?: SpatialOptions & { between?: 'exact' | 'rounded' }): SolidOpening;
   /** grown, or for a negative distance shrunk, by a ball of plane facets with this tolerance */
   offset(mesh: Mesh, distance: number, tolerance: number, options?: SpatialOptions & { bound?: 'inside' | 'outside' }): SolidOffset;
+  /** The union of regions, with the options of sums. */
   unionOf(regions: Region[], options?: SumOptions): PlanarSum;
   /** R(theta) P (+) Q */
   rotatedSum(p: Region, q: Region, angle: Angle, options?: SumOptions): PlanarSum;
-  contains(p: Region, q: Region, z: Point, semantics?: Semantics): boolean;
+  contains(p: PlanarOperand, q: PlanarOperand, z: Point, semantics?: Semantics): boolean;
   contains(p: Mesh, q: Mesh, z: Point3, semantics?: Semantics): boolean;
   convolutionSizes(p: Region, q: Region): ConvolutionSizes;
   scaleRange(part: Region, path: Coordinates, obstacles: Region, progress?: Progress): ScaleRange;
@@ -935,6 +1016,9 @@ export interface Live {
 
   readonly ScalingSum: { create(p: Region, q: Region, options?: MovingOptions): ScalingSum };
   readonly RotatingSum: { create(p: Region, q: Region, options?: MovingOptions): RotatingSum };
+  readonly ScalingFamily: {
+    create(p: Region, q: Region, low: ExactInput, high: ExactInput, options?: { moving?: 'p' | 'q'; reflectQ?: boolean; semantics?: Semantics; progress?: Progress }): ScalingFamily;
+  };
   readonly PlanarDepth: { create(p: Region, q: Region): PlanarDepth };
   readonly CspaceObstacle: {
     create(robot: Region, obstacle: Region, options?: { progress?: Progress }): CspaceObstacle;

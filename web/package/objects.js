@@ -3,14 +3,19 @@ import { throwing, throwingGetter, whenIdle } from './calls.js';
 import { refusal } from './errors.js';
 
 const classes = [
-  'Region', 'PlanarSum', 'ScalingSum', 'RotatingSum', 'PlanarDepth', 'CspaceObstacle', 'ObstacleQueries', 'Mesh', 'SpatialSum',
+  'Region', 'PlanarSum', 'ScalingSum', 'RotatingSum', 'ScalingFamily', 'PlanarDepth', 'CspaceObstacle', 'ObstacleQueries', 'Mesh', 'SpatialSum',
   'SolidSlice', 'SolidScaleEvents', 'SolidRotationEvents', 'MovingSolidSum', 'ConvexSum', 'SolidDepth', 'TurnedDepth', 'DiscSet', 'GrowingDisc',
   'ShapeFeatures', 'SumLocator', 'LocalSum', 'PlanarLocalSum', 'PlanarLocalPart',
 ];
 const functions = [
-  'nfp', 'erode', 'unionOf', 'rotatedSum', 'convolutionSizes', 'scaleRange', 'fitRange', 'sliceOfSum', 'cspaceSlice', 'checkPath',
-  'drawRegion', 'drawSum', 'drawTrace', 'sumOfRegions', 'sumOfMeshes', 'regionContains', 'meshContains', 'plan', 'directPlan',
-  'erodeMeshes', 'opening', 'closing', 'offset', 'scaleRangeOfMeshes', 'fitRangeOfMeshes',
+  'nfp', 'erode', 'united', 'intersection', 'difference', 'symmetricDifference', 'unionOf', 'rotatedSum', 'convolutionSizes', 'scaleRange',
+  'fitRange', 'sliceOfSum', 'cspaceSlice', 'checkPath', 'directPlan', 'drawRegion', 'drawSum', 'drawTrace', 'opening', 'closing', 'offset',
+  'byPlanes',
+];
+/** What has another name, or that of the function for the plane. */
+const inner = [
+  'sumOfSets', 'sumOfMeshes', 'sumOfResult', 'setContains', 'meshContains', 'erodeMeshes', 'erodeResult', 'unitedMeshes', 'intersectionOfMeshes', 'differenceOfMeshes',
+  'symmetricDifferenceOfMeshes', 'scaleRangeOfMeshes', 'fitRangeOfMeshes', 'plan',
 ];
 const shapes = ['rectangle', 'grate', 'comb', 'noisyStar', 'letterU', 'letterL', 'randomPolygon'];
 const roundShapes = ['disc', 'gear', 'star', 'spiral', 'pockets'];
@@ -39,7 +44,7 @@ function disposable(handles) {
 
 function bindClasses(instance) {
   const made = {};
-  for (const name of classes) {
+  for (const name of classes.filter((name) => name in instance)) {
     made[name] = instance[name];
     bound(made[name], name);
     bound(made[name].prototype, name);
@@ -48,7 +53,8 @@ function bindClasses(instance) {
   return made;
 }
 
-const among = (instance, names) => Object.fromEntries(names.map((name) => [name, throwing(instance[name], name)]));
+/** The functions of these names that the module has: that of a page may have fewer. */
+const among = (instance, names) => Object.fromEntries(names.filter((name) => name in instance).map((name) => [name, throwing(instance[name], name)]));
 
 /** Generators whose last argument, `snap`, may be left out. */
 function snapping(instance, names) {
@@ -73,20 +79,39 @@ function joined(made, calls) {
       return this.sectionHandle;
     },
   });
+  const isSet = (x) => x instanceof made.Region || x instanceof made.PlanarSum, isMesh = (x) => x instanceof Mesh, isSum = (x) => x instanceof made.SpatialSum;
   /** One name for regions and for solids. */
   const either = (ofRegions, ofMeshes) => (p, ...rest) => (p instanceof Mesh ? ofMeshes : ofRegions)(p, ...rest);
-  /** An element that is no region would be found in the midst of the work, and what was copied till then be lost. */
+  /** Operands of other kinds would be found in the midst of the work, and what was copied till then be lost. */
+  const ofKind = (takes, operands, ofSets, ofMeshes, ofResult) => {
+    const [first, ...others] = operands;
+    if (operands.every(isSet)) return ofSets;
+    if (ofMeshes && operands.every(isMesh)) return ofMeshes;
+    if (ofResult && isSum(first) && others.every((x) => isMesh(x) || isSum(x))) return ofResult;
+    throw refusal(`${takes} regions and planar sums${ofMeshes ? ', or meshes' : ''}${ofResult ? ', or a spatial sum and a mesh or another one' : ''}`);
+  };
+  const ofTwo = (name, ...of) => (p, q, ...rest) => ofKind(`${name} takes`, [p, q], ...of)(p, q, ...rest);
+  const listed = (list) => (typeof list?.[Symbol.iterator] === 'function' ? Array.from(list) : [undefined]);
   const unionOf = (regions, options) => {
-    const all = typeof regions?.[Symbol.iterator] === 'function' ? Array.from(regions) : [undefined];
+    const all = listed(regions);
     if (!all.every((region) => region instanceof made.Region)) throw refusal('unionOf takes a list of regions');
     return calls.unionOf(all, options);
   };
+  const united = (operands, options) => {
+    const all = listed(operands);
+    return ofKind('united takes a list of', all, calls.united, calls.unitedMeshes)(all, options);
+  };
   return {
     unionOf,
+    united,
     drawSum: (p, q, sum, names) => calls.drawSum(p, q, sum, names),
-    minkowskiSum: either(calls.sumOfRegions, calls.sumOfMeshes),
-    contains: either(calls.regionContains, calls.meshContains),
-    erode: either(calls.erode, calls.erodeMeshes),
+    minkowskiSum: ofTwo('minkowskiSum', calls.sumOfSets, calls.sumOfMeshes, calls.sumOfResult),
+    nfp: ofTwo('nfp', calls.nfp),
+    contains: ofTwo('contains', calls.setContains, calls.meshContains),
+    erode: ofTwo('erode', calls.erode, calls.erodeMeshes, calls.erodeResult),
+    intersection: ofTwo('intersection', calls.intersection, calls.intersectionOfMeshes),
+    difference: ofTwo('difference', calls.difference, calls.differenceOfMeshes),
+    symmetricDifference: ofTwo('symmetricDifference', calls.symmetricDifference, calls.symmetricDifferenceOfMeshes),
     scaleRange: either(calls.scaleRange, calls.scaleRangeOfMeshes),
     fitRange: either(calls.fitRange, calls.fitRangeOfMeshes),
   };
@@ -94,14 +119,13 @@ function joined(made, calls) {
 
 export function objectsOf(instance) {
   const made = bindClasses(instance);
-  const all = among(instance, functions), both = joined(made, all);
-  const { sumOfRegions, sumOfMeshes, regionContains, meshContains, erodeMeshes, scaleRangeOfMeshes, fitRangeOfMeshes, plan, ...calls } = all;
+  const calls = among(instance, functions);
   return {
     version: instance.version(),
     memoryBytes: () => instance.memoryBytes(),
     ...made,
     ...calls,
-    ...both,
+    ...joined(made, { ...calls, ...among(instance, inner) }),
     shapes: { ...among(instance, shapes), ...snapping(instance, roundShapes) },
     solids: snapping(instance, solids),
   };

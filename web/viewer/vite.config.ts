@@ -5,12 +5,14 @@ import { embedModule, packScript, tellNotices } from './embed_module';
 import { threeParts } from './three_parts';
 
 const inPackage = (file: string): string => fileURLToPath(new URL(`../package/${file}`, import.meta.url));
-const embedded = embedModule(inPackage('dist/dymsum-simd.wasm'), true);
+const inModule = (file: string): string => fileURLToPath(new URL(`module/${file}`, import.meta.url));
+const embedded = embedModule(inModule('dymsum-page-simd.wasm'), true);
 
 // One HTML file that works from disk: scripts, styles, the worker and the module are in it, and nothing is fetched.
 export default defineConfig({
   base: './',
-  resolve: { alias: { dymsum: inPackage('live.js') } },
+  // The package, on the module that has what pages call.
+  resolve: { alias: { dymsum: inPackage('live.js'), './dist/dymsum.js': inModule('dymsum-page-simd.js') } },
   plugins: [threeParts(), embedded, viteSingleFile({ removeViteModuleLoader: true }), packScript(), tellNotices(inPackage('NOTICES'))],
   worker: { format: 'iife', plugins: () => [embedded] },
   build: { target: 'es2022', chunkSizeWarningLimit: 4096, reportCompressedSize: false },

@@ -23,23 +23,6 @@ std::vector<Point3> points3(const val& array) {
   return points;
 }
 
-MeshData data_in(const val& v) {
-  MeshData data;
-  data.vertices = points3(v["vertices"]);
-  const val faces = v["faces"];
-  const auto n = faces["length"].as<unsigned>();
-  if (n > 0 && faces[0].typeOf().as<std::string>() == "object") {
-    for (unsigned k = 0; k < n; ++k) data.faces.push_back(indices_in(faces[k]));
-    return data;
-  }
-  const std::vector<std::uint32_t> corners = indices_in(faces);
-  if (corners.size() % 3 != 0)
-    throw Thrown{{ErrorCode::malformed, "triangles are three indices each: their number is no multiple of three", {}}};
-  for (std::size_t k = 0; k < corners.size(); k += 3)
-    data.faces.push_back({corners[k], corners[k + 1], corners[k + 2]});
-  return data;
-}
-
 MeshData parsed(const std::string& name, const std::string& bytes) {
   return got(parse_mesh(bytes, got(mesh_format(name)), name));
 }
@@ -58,7 +41,7 @@ Mesh valid(MeshData data, const val& options) {
 SharedMesh read(const std::string& name, const std::string& bytes, const val& options) {
   return in_file(name, [&] { return shared(valid(parsed(name, bytes), options)); });
 }
-SharedMesh from_data(const val& data, const val& options) { return shared(valid(data_in(data), options)); }
+SharedMesh from_data(const val& data, const val& options) { return shared(valid(mesh_data_in(data), options)); }
 
 val coordinates(const std::vector<Point3>& points) {
   std::vector<double> numbers;
@@ -86,7 +69,7 @@ val read_data(const std::string& name, const std::string& bytes) {
 }
 
 val repaired(const val& data, const val& options) {
-  RepairedMesh made = mesh_after_repair(data_in(data), member_or(options, "thinParts", false));
+  RepairedMesh made = mesh_after_repair(mesh_data_in(data), member_or(options, "thinParts", false));
   val v = val::object();
   v.set("changed", made.report.changed());
   v.set("report", made.report.to_string());
@@ -164,6 +147,23 @@ EMSCRIPTEN_BINDINGS(mesh) {
 }
 
 }  // namespace
+
+MeshData mesh_data_in(const val& v) {
+  MeshData data;
+  data.vertices = points3(v["vertices"]);
+  const val faces = v["faces"];
+  const auto n = faces["length"].as<unsigned>();
+  if (n > 0 && faces[0].typeOf().as<std::string>() == "object") {
+    for (unsigned k = 0; k < n; ++k) data.faces.push_back(indices_in(faces[k]));
+    return data;
+  }
+  const std::vector<std::uint32_t> corners = indices_in(faces);
+  if (corners.size() % 3 != 0)
+    throw Thrown{{ErrorCode::malformed, "triangles are three indices each: their number is no multiple of three", {}}};
+  for (std::size_t k = 0; k < corners.size(); k += 3)
+    data.faces.push_back({corners[k], corners[k + 1], corners[k + 2]});
+  return data;
+}
 
 MeshFormat mesh_format_in(const std::string& text) {
   static_assert(name(MeshFormat::three_mf) == names_of<MeshFormat>().back());  // it is zipped, which needs libzip

@@ -9,6 +9,7 @@
 #include "dymsum/snap_rounding.h"
 #include "options.h"
 #include "plain.h"
+#include "planar_operand.h"
 #include "planar_shape.h"
 #include "region.h"
 
@@ -89,29 +90,20 @@ std::string formatted(const PlanarSum& sum, const std::string& format) {
 }
 std::string json_of(const PlanarSum& sum) { return sum_to_json(sum); }
 
-SharedSum sum_of_regions(const Region& p, const Region& q, const val& options) {
-  return shared(got(minkowski_sum(p, q, sum_options(options))));
-}
-SharedSum nfp_of(const Region& a, const Region& b, const val& options) {
-  return shared(got(nfp(a, b, sum_options(options))));
-}
-SharedSum eroded(const Region& p, const Region& q, const val& options) {
-  return shared(got(erode(p, q, sum_options(options))));
-}
 SharedSum rotated(const Region& p, const Region& q, const val& angle, const val& options) {
   return shared(got(rotated_sum(p, q, orientation_in(angle), sum_options(options))));
 }
 SharedSum slice_at(const Region& robot, const Region& obstacle, const val& angle, const val& options) {
   return shared(got(cspace_slice(robot, obstacle, orientation_in(angle), sum_options(options))));
 }
-SharedSum united(const val& regions, const val& options) {
+SharedSum union_of_regions(const val& regions, const val& options) {
   std::vector<Region> all;
   const auto n = regions["length"].as<unsigned>();
   for (unsigned k = 0; k < n; ++k) all.push_back(*regions[k].as<std::shared_ptr<Region>>());
   return shared(got(union_of(all, sum_options(options))));
 }
-bool region_contains(const Region& p, const Region& q, const val& z, const val& semantics) {
-  return contains(p, q, point_in(z), semantics_in(semantics));
+bool set_contains(const val& p, const val& q, const val& z, const val& semantics) {
+  return contains(TakenOperand(p), TakenOperand(q), point_in(z), semantics_in(semantics));
 }
 val sizes(const Region& p, const Region& q) { return plain(convolution_sizes(p, q)); }
 std::string drawn_sum(const Region& p, const Region& q, const PlanarSum& sum, const val& given) {
@@ -143,13 +135,13 @@ EMSCRIPTEN_BINDINGS(planar_sum) {
       .function("equals", guarded<&equal>)
       .function("format", guarded<&formatted>)
       .function("toJson", guarded<&json_of>);
-  function("sumOfRegions", guarded<&sum_of_regions>);
-  function("nfp", guarded<&nfp_of>);
-  function("erode", guarded<&eroded>);
+  function("sumOfSets", guarded<&of_sets<&minkowski_sum>>);
+  function("nfp", guarded<&of_sets<&nfp>>);
+  function("erode", guarded<&of_sets<&erode>>);
   function("rotatedSum", guarded<&rotated>);
   function("cspaceSlice", guarded<&slice_at>);
-  function("unionOf", guarded<&united>);
-  function("regionContains", guarded<&region_contains>);
+  function("unionOf", guarded<&union_of_regions>);
+  function("setContains", guarded<&set_contains>);
   function("convolutionSizes", guarded<&sizes>);
   function("drawSum", guarded<&drawn_sum>);
   function("drawTrace", guarded<&drawn_trace>);

@@ -1,11 +1,10 @@
-// SpatialSum, slices, and sums of solids as events.
+// SpatialSum, the functions that make one, and slices.
 #include "dymsum/spatial_sum.h"
 
 #include <array>
 
 #include "arrays.h"
-#include "dymsum/solid_rotation_events.h"
-#include "dymsum/solid_scale_events.h"
+#include "dymsum/solid_erosion.h"
 #include "dymsum/solid_slice.h"
 #include "mesh.h"
 #include "options.h"
@@ -59,8 +58,10 @@ double vertex_count(const SpatialSum& sum) { return static_cast<double>(sum.vert
 double face_count(const SpatialSum& sum) { return static_cast<double>(sum.faces.size()); }
 double shell_count(const SpatialSum& sum) { return static_cast<double>(sum.shells); }
 
-SharedSum sum_of_meshes(const Mesh& p, const Mesh& q, const val& options) {
-  return shared(got(minkowski_sum(p, q, spatial_options(options))));
+using OfTwo = Result<SpatialSum> (*)(const Mesh&, const Mesh&, const SpatialOptions&);
+template <OfTwo operation>
+SharedSum of_two(const Mesh& a, const Mesh& b, const val& options) {
+  return shared(got(operation(a, b, spatial_options(options))));
 }
 bool mesh_contains(const Mesh& p, const Mesh& q, const val& z, const val& semantics) {
   return got(contains(p, q, point3_in(z), semantics_in(semantics)));
@@ -71,62 +72,6 @@ std::shared_ptr<SolidSlice> slice_at(const Mesh& p, const Mesh& q, double z, con
 }
 std::shared_ptr<PlanarSum> section_of(const SolidSlice& slice) { return shared(slice.section); }
 val touching_of(const SolidSlice& slice) { return part_rings(slice.touching); }
-
-std::shared_ptr<SolidScaleEvents> scaling(const Mesh& p, const Mesh& q, const val& options) {
-  SolidScaleOptions how;
-  how.moving = enumerator(member(options, "moving"), how.moving);
-  how.semantics = semantics_in(member(options, "semantics"));
-  how.tight = member_or(options, "tight", true);
-  return shared(got(SolidScaleEvents::create(p, q, how)));
-}
-SharedSum scaled_to(const SolidScaleEvents& sum, const val& s, const val& progress) {
-  return shared(got(sum.at(scale_in(s), progress_in(progress))));
-}
-val scale_events(const SolidScaleEvents& sum, const val& from, const val& to, const val& progress) {
-  return list_of(got(sum.events(scale_in(from), scale_in(to), progress_in(progress))), event_data);
-}
-val next_scale_event(const SolidScaleEvents& sum, const val& after, const val& limit, const val& change,
-                     const val& progress) {
-  const auto event = got(sum.next_event(scale_in(after), scale_in(limit), enumerator(change, EventChange::visible),
-                                        progress_in(progress)));
-  return event ? event_data(*event) : val::null();
-}
-
-val turn_contact_data(const SolidRotationContact& contact) {
-  val v = val::object();
-  v.set("kind", plain(contact.kind));
-  v.set("at", plain(contact.at));
-  v.set("features", plain(contact.features));
-  return v;
-}
-val turn_event_data(const SolidRotationEvent& event) {
-  val v = val::object();
-  const std::optional<AxisTurn>& exact = event.parameter.exact;
-  v.set("radians", event.approx);
-  v.set("exactT", !exact ? val::null() : exact->is_half_turn() ? val(std::string("inf")) : val(exact->t().to_string()));
-  v.set("polynomial", plain(event.parameter.polynomial));
-  v.set("contacts", list_of(event.contacts, turn_contact_data));
-  v.set("visible", event.visible);
-  v.set("topology", event.topology);
-  return v;
-}
-std::shared_ptr<SolidRotationEvents> turning(const Mesh& p, const Mesh& q, const val& axis, const val& options) {
-  SolidRotationOptions how;
-  how.moving = enumerator(member(options, "moving"), how.moving);
-  how.changes = member_or(options, "changes", true);
-  how.window = member_or(options, "window", 0.0);
-  how.tight = member_or(options, "tight", true);
-  TurnAxis direction{};
-  for (std::size_t k = 0; k < 3; ++k) direction[k] = axis[k].as<std::int32_t>();
-  return shared(got(SolidRotationEvents::create(p, q, direction, how)));
-}
-AxisTurn turn_in(const SolidRotationEvents& sum, double radians) { return got(AxisTurn::nearest(sum.axis(), radians)); }
-SharedSum turned_to(const SolidRotationEvents& sum, double radians, const val& progress) {
-  return shared(got(sum.at(turn_in(sum, radians), progress_in(progress))));
-}
-val rotation_events(const SolidRotationEvents& sum, double from, double to, const val& progress) {
-  return list_of(got(sum.events(turn_in(sum, from), turn_in(sum, to), progress_in(progress))), turn_event_data);
-}
 
 EMSCRIPTEN_BINDINGS(spatial_sum) {
   handle<SpatialSum>("SpatialSum")
@@ -147,16 +92,8 @@ EMSCRIPTEN_BINDINGS(spatial_sum) {
   handle<SolidSlice>("SolidSlice")
       .function("takeSection", guarded<&section_of>)
       .function("touching", guarded<&touching_of>);
-  handle<SolidScaleEvents>("SolidScaleEvents")
-      .class_function("create", guarded<&scaling>)
-      .function("at", guarded<&scaled_to>)
-      .function("events", guarded<&scale_events>)
-      .function("nextEvent", guarded<&next_scale_event>);
-  handle<SolidRotationEvents>("SolidRotationEvents")
-      .class_function("create", guarded<&turning>)
-      .function("at", guarded<&turned_to>)
-      .function("events", guarded<&rotation_events>);
-  function("sumOfMeshes", guarded<&sum_of_meshes>);
+  function("sumOfMeshes", guarded<&of_two<&minkowski_sum>>);
+  function("erodeMeshes", guarded<&of_two<&erode>>);
   function("meshContains", guarded<&mesh_contains>);
   function("sliceOfSum", guarded<&slice_at>);
 }

@@ -59,7 +59,7 @@ constexpr bool widths_hold() {
 /// Points from the first one on, over the largest integer that divides all their coordinates; none where that is 1. At
 /// a scale of a thousand digits, or under a matrix over a common denominator, an operand's coordinates are multiples of
 /// one long factor, which its directions, and normals and determinants of these, then do without.
-std::vector<Vector3<Big>> shortened(const std::vector<Vector3<Big>>& points) {
+[[maybe_unused]] std::vector<Vector3<Big>> shortened(const std::vector<Vector3<Big>>& points) {
   using exact::BigInteger;
   BigInteger factor = 0;
   std::vector<Vector3<Big>> result;
@@ -589,12 +589,12 @@ std::optional<PointSource> GridSpace<C>::add_position(const std::array<exact::Bi
 // Every width of coordinates that make_sum_space and the others choose from.
 template class GridSpace<Int<26>>;
 template class GridSpace<Int<61>>;
-#ifndef __EMSCRIPTEN__  // kWidthOf72
+#ifndef __EMSCRIPTEN__  // kWidthOf72, AnyInteger
 template class GridSpace<Int<72>>;
+template class GridSpace<Big>;
 #endif
 template class GridSpace<Int<124>>;
 template class GridSpace<Int<250>>;
-template class GridSpace<Big>;
 template class GridSpace<RootValue>;
 template class GridSpace<Fraction>;
 

@@ -1,4 +1,4 @@
-// SumSpace in exact integers of one width: C is Int<B>, or Big.
+// SumSpace in exact numbers of one width: C is Int<B>, Big, Fraction or RootValue.
 #pragma once
 
 #include <memory>
@@ -6,17 +6,21 @@
 #include <optional>
 #include <utility>
 
+#include "exact/fraction.h"
 #include "exact/int.h"
 #include "spatial/convolution/fine_space.h"
 #include "spatial/convolution/sum_space.h"
 
 namespace dymsum::spatial {
 
-/// Where a module's size counts, coordinates of 72 bits are numbers of 124.
+/// Where a module's size counts, coordinates of 72 bits are numbers of 124, and integers of any size are fractions
+/// over 1.
 #ifdef __EMSCRIPTEN__
 inline constexpr bool kWidthOf72 = false;
+using AnyInteger = exact::Fraction;
 #else
 inline constexpr bool kWidthOf72 = true;
+using AnyInteger = exact::Big;
 #endif
 
 template <class C>

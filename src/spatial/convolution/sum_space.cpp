@@ -222,16 +222,19 @@ int bits_of(const std::vector<Vector3<exact::i128>>& points) {
   return bits;
 }
 
+/// The number as a C, which holds it.
+template <class C, class Word>
+C number_of(const Word& v) {
+  if constexpr (std::is_same_v<C, AnyInteger>) return C(exact::to_big(v));
+  else if constexpr (std::is_same_v<Word, Big>) return exact::narrowed<C>(v);
+  else return C::from_raw(exact::raw_cast<C::kBits>(v));
+}
+
 template <class C, class Word>
 std::vector<Vector3<C>> narrowed_points(const std::vector<Vector3<Word>>& points) {
-  const auto narrow = [](const Word& v) {
-    if constexpr (std::is_same_v<Word, Big>) return exact::narrowed<C>(v);
-    else if constexpr (std::is_same_v<C, Big>) return exact::to_big(v);
-    else return C::from_raw(exact::raw_cast<C::kBits>(v));
-  };
   std::vector<Vector3<C>> result;
   result.reserve(points.size());
-  for (const Vector3<Word>& v : points) result.push_back({narrow(v.x), narrow(v.y), narrow(v.z)});
+  for (const Vector3<Word>& v : points) result.push_back({number_of<C>(v.x), number_of<C>(v.y), number_of<C>(v.z)});
   return result;
 }
 
@@ -244,7 +247,7 @@ std::unique_ptr<SumSpace> with_width(int bits, F f) {
     if (bits <= 72) return f(Int<72>{});  // heights of slices: all digits of a double, next to operands of few
   if (bits <= 124) return f(Int<124>{});  // turned by quaternions; what rounding leaves of zeros, as in sin(pi)
   if (bits <= 250) return f(Int<250>{});  // turned by quaternions and of all digits, or with what rounding leaves
-  if (bits <= kMostGridBits) return f(Big{});
+  if (bits <= kMostGridBits) return f(AnyInteger{});
   throw std::invalid_argument("coordinates of more than " + std::to_string(kMostGridBits) +
                               " bits on their common grid");
 }
@@ -294,13 +297,13 @@ std::unique_ptr<SumSpace> make_sum_space(const std::vector<Vector3<Fraction>>& p
   }
   if (!whole || bits > kMostGridBits) return std::make_unique<GridSpace<Fraction>>(p, q, std::max(bits, 52), lines);
   return with_width(bits, [&]<class C>(C) -> std::unique_ptr<SumSpace> {
-    const auto narrowed = [](const std::vector<Vector3<Fraction>>& points) {
-      const auto number = [](const Fraction& c) { return exact::narrowed<C>(Big(c.above())); };
+    const auto whole_points = [](const std::vector<Vector3<Fraction>>& points) {
+      const auto number = [](const Fraction& c) { return number_of<C>(Big(c.above())); };
       std::vector<Vector3<C>> result;
       for (const Vector3<Fraction>& v : points) result.push_back({number(v.x), number(v.y), number(v.z)});
       return result;
     };
-    return std::make_unique<GridSpace<C>>(narrowed(p), narrowed(q), bits, lines);
+    return std::make_unique<GridSpace<C>>(whole_points(p), whole_points(q), bits, lines);
   });
 }
 

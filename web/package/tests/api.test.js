@@ -154,6 +154,84 @@ test('inner fits, unions, turned sums, membership, sizes', () => {
   assert.equal(dymsum.nfp(Region.empty(), peg()).partCount, 0);
 });
 
+/** What the command line says of two operands: its result's area or volume, and how it ends. */
+async function ofCommand(verb, a, b, extension, ...options) {
+  const files = { [`a.${extension}`]: a.format(extension), [`b.${extension}`]: b.format(extension) };
+  const { exit, stdout } = await dymsum.run([verb, ...Object.keys(files), '--json', '--exact', ...options], { files });
+  return [JSON.parse(stdout)[extension === 'off' ? 'volume_exact' : 'area_exact'], exit];
+}
+
+test('Boolean operations of regions are those of the command line', async () => {
+  // on no common grid: turned, decimal, single precision
+  const gear = shapes.gear(9, 1, 2), bar = Region.fromRings([[[-3.1, -0.30000000000000004], [2.7, 0.1], [2.9, 0.7], [-3, Math.fround(0.3)]]]);
+  const far = Region.fromRings([[[30, 0], [31, 0], [30, 1 / 3]]]);
+  for (const semantics of ['closed', 'open', 'regular'])
+    for (const b of [bar, gear, far]) {
+      const options = { semantics }, told = ['--semantics', semantics];
+      const [union, both, less] = [dymsum.united([gear, b], options), dymsum.intersection(gear, b, options), dymsum.difference(gear, b, options)];
+      const empty = (set) => (set.partCount + set.shape().segments.length + set.shape().points.length === 0 ? 4 : 0);
+      assert.deepEqual([union.areaExact(), 0], await ofCommand('union', gear, b, 'wkt', ...told));
+      assert.deepEqual([both.areaExact(), empty(both)], await ofCommand('intersect', gear, b, 'wkt', ...told));
+      assert.deepEqual([less.areaExact(), empty(less)], await ofCommand('subtract', gear, b, 'wkt', ...told));
+      const one = dymsum.symmetricDifference(gear, b, options), other = dymsum.difference(b, gear, options);
+      assert.ok(one.equals(dymsum.united([less, other], options)), semantics);
+    }
+  assert.equal(dymsum.united([]).partCount, 0);
+  assert.equal(dymsum.united([gear, bar]).areaExact(), dymsum.unionOf([gear, bar]).areaExact());
+});
+
+test('results are operands, exactly', () => {
+  const gear = shapes.gear(9, 1, 2), star = shapes.star(5, 0.3, 0.9), bar = Region.fromRings([[[-3.1, -0.3], [2.7, 0.1], [2.9, 0.7]]]);
+  const both = dymsum.intersection(gear, bar), less = dymsum.difference(gear, bar);
+  assert.ok(dymsum.united([both, less], { semantics: 'regular' }).equals(dymsum.united([gear])), 'cut in two and put together');
+  assert.equal(dymsum.united([both, less]).shape().tightSegments.length, 4, 'where open sets leave out the cut');
+  const sum = dymsum.minkowskiSum(gear, star), further = dymsum.minkowskiSum(sum, bar);
+  assert.ok(further.equals(dymsum.minkowskiSum(gear, dymsum.minkowskiSum(star, bar))), 'sums of sums');
+  assert.ok(dymsum.minkowskiSum(both, star).equals(dymsum.nfp(both, star.negated())));
+  // What is summed over a union is the union of the sums.
+  assert.ok(dymsum.united([dymsum.minkowskiSum(both, star), dymsum.minkowskiSum(less, star)]).equals(sum));
+  assert.ok(dymsum.difference(dymsum.erode(sum, star), sum).partCount === 0 && dymsum.difference(gear, dymsum.erode(sum, star)).partCount === 0);
+  const apart = dymsum.difference(shapes.rectangle(0, 0, 4, 4), shapes.rectangle(1, 1, 3, 3));
+  assert.equal(dymsum.contains(apart, shapes.rectangle(0, 0, 0.5, 0.5), { x: 2, y: 2 }), false);
+  assert.equal(dymsum.contains(apart, shapes.rectangle(-1, -1, 1, 1), { x: 2, y: 2 }), true);
+  assert.equal(dymsum.intersection(shapes.rectangle(0, 0, 1, 1), shapes.rectangle(1, 0, 2, 1)).shape().segments.length, 2, 'an edge in common');
+});
+
+test('Boolean operations of solids are those of the command line', async () => {
+  const ball = solids.geodesicSphere(2, 1.1), box = solids.box(0.1, -0.30000000000000004, 0, 2, 0.7, Math.fround(0.9)), far = solids.box(9, 9, 9, 10, 10, 10);
+  for (const b of [box, ball, far]) {
+    const both = dymsum.intersection(ball, b), less = dymsum.difference(ball, b), end = (solid) => (solid.faceCount === 0 ? 4 : 0);
+    assert.deepEqual([dymsum.united([ball, b]).volumeExact(), 0], await ofCommand('union', ball, b, 'off'));
+    assert.deepEqual([both.volumeExact(), end(both)], await ofCommand('intersect', ball, b, 'off'));
+    assert.deepEqual([less.volumeExact(), end(less)], await ofCommand('subtract', ball, b, 'off'));
+  }
+  const one = dymsum.symmetricDifference(solids.box(0, 0, 0, 2, 2, 2), solids.box(1, 1, 1, 3, 3, 3));
+  assert.equal(one.volumeExact(), '14/1');
+  assert.equal(thrown(() => dymsum.united([ball, box], { memory: 1000 })).code, 'out_of_memory');
+});
+
+test('a turned box by its planes has six, and is the solid that the command line makes', async () => {
+  const [c, s] = [Math.cos(0.4), Math.sin(0.4)], plain = solids.box(0, 0, 0, 1, 2, 3).shape();
+  const turned = plain.vertices.map((v, k, all) => (k % 3 === 0 ? c * v - s * all[k + 1] : k % 3 === 1 ? s * all[k - 1] + c * v : v));
+  const data = { vertices: turned, faces: plain.triangles }, made = dymsum.byPlanes(data);
+  assert.deepEqual([made.solid.faceCount, made.solid.vertexCount, made.axes.length, made.bentFaces], [6, 8, 1, 0]);
+  assert.ok(made.largestMove < 1e-12 && made.largestMove <= made.tolerance, `${made.largestMove}`);
+  assert.match(made.report, /^12 faces became 6,/);
+  const lines = (numbers, head) => Array.from({ length: numbers.length / 3 }, (_, k) => `${head}${[...numbers.subarray(3 * k, 3 * k + 3)].join(' ')}`);
+  const off = ['OFF', '8 12 0', ...lines(turned, ''), ...lines(plain.triangles, '3 ')].join('\n');
+  for (const [verb, operation, size] of [['sum', dymsum.minkowskiSum, 1], ['erode', dymsum.erode, 0.25]]) {
+    const box = solids.box(0, 0, 0, size, size, size), files = { 'turned.off': off, 'box.off': box.format('off') };
+    const { volume_exact: volume } = await reported([verb, 'turned.off', 'box.off', '--planes', '--exact'], files);
+    const { vertices, faceStarts, faceVertices } = box.shape(), faces = [...faceStarts.subarray(1)].map((end, k) => [...faceVertices.subarray(faceStarts[k], end)]);
+    const other = dymsum.byPlanes({ vertices, faces }, { known: made.axes }).solid; // as the command takes its second operand
+    assert.equal(operation(made.solid, other).volumeExact(), volume, verb);
+    assert.ok(Math.abs(operation(made.solid, box).volume() - operation(made.solid, other).volume()) < 1e-11, verb);
+  }
+  assert.ok(dymsum.minkowskiSum(made.solid, made.solid).volume() > 47.99, 'twice as large');
+  assert.ok(dymsum.byPlanes(data, { tolerance: 1e-9, known: made.axes }).tolerance === 1e-9);
+  assert.equal(thrown(() => dymsum.byPlanes(data, { tolerance: 0 })).code, 'out_of_range');
+});
+
 test('a scaling sum equals the sum of the scaled operand in every frame, and has its events', async () => {
   const p = shapes.star(6, 1, 2);
   const q = slot();
@@ -177,6 +255,31 @@ test('a scaling sum equals the sum of the scaled operand in every frame, and has
   assert.equal(thrown(() => moving.set('nonsense')).code, 'malformed');
   assert.deepEqual(moving.scale().exact, '3/2');
   assert.equal(typeof moving.work().pieces, 'number');
+});
+
+test('a family has every sum of its interval, its changes and lifetimes', () => {
+  const p = shapes.gear(7, 1.1, 2), q = Region.fromRings([[[0.1, -0.3], [2.7, 0.1], [2.9, Math.fround(0.7)], [1, 0.6]]]), options = { reflectQ: true, semantics: 'open' };
+  const family = dymsum.ScalingFamily.create(p, q, 0.5, 2, options), events = family.events(), moving = dymsum.ScalingSum.create(p, q, options);
+  assert.deepEqual(events.filter(({ visible }) => visible), moving.events(0.5, 2).filter(({ visible }) => visible));
+  assert.ok(events.length > 2, `${events.length} events`);
+  const scales = [0.5, '2/3', 1.1, events[1].s, 2];
+  for (const s of scales) {
+    moving.set(s);
+    assert.ok(family.at(s).equals(moving.sum()), s);
+  }
+  for (const change of ['visible', 'topology']) assert.deepEqual(family.changes(1, 2, change), events.filter((event) => event[change] && event.approx >= 1));
+  const lives = family.lifetimes(), kinds = new Set(lives.map(({ feature }) => feature));
+  assert.ok(lives.every(({ firstCell, lastCell }) => firstCell <= lastCell && lastCell <= events.length) && kinds.has('edge'));
+  const begin = lives.filter(({ feature, firstCell }) => feature === 'vertex' && firstCell === 0);
+  assert.equal(begin.length, family.at(0.5).shape().ringStarts.at(-1), 'the vertices of the first cell');
+  const [inner, outer] = [family.inner(0.5, 2), family.outer(0.5, 2)], regular = { semantics: 'regular' };
+  for (const s of scales) {
+    assert.equal(dymsum.difference(inner, family.at(s), regular).partCount, 0, `${s}`);
+    assert.equal(dymsum.difference(family.at(s), outer, regular).partCount, 0, `${s}`);
+  }
+  assert.ok(dymsum.difference(outer, inner, regular).partCount > 0);
+  assert.equal(thrown(() => family.at(3)).code, 'bad_scale');
+  assert.equal(thrown(() => dymsum.ScalingFamily.create(p, q, 2, 1)).code, 'bad_scale');
 });
 
 test('a turning sum equals the turned sum', () => {
@@ -451,8 +554,9 @@ test('what needs more memory than there is throws, and the module goes on', () =
 
 test('every name of index.d.ts is there', () => {
   const types = readFileSync(new URL('../index.d.ts', import.meta.url), 'utf8');
-  const body = types.slice(types.indexOf('export interface Dymsum {'));
-  for (const [, name] of body.matchAll(/^ {2}(?:readonly )?(\w+)[(:]/gm)) assert.ok(name in dymsum, name);
+  const names = [...types.slice(types.indexOf('export interface Dymsum ')).matchAll(/^ {2}(?:readonly )?(\w+)[(:]/gm)].map(([, name]) => name);
+  for (const name of names) assert.ok(dymsum[name] !== undefined, name);
+  assert.ok(names.length > 50, `${names.length} names`);
 });
 
 test('inner fits, openings, closings and offsets of solids', () => {

@@ -34,8 +34,12 @@ function* calls() {
   yield [sum, 'rounded', [{}]];
   yield [sum, 'equals', [sum]];
   yield [sum, 'format', ['wkt']];
-  for (const name of ['minkowskiSum', 'nfp', 'erode']) yield [dymsum, name, [square, bar, {}]];
-  for (const name of ['minkowskiSum', 'erode', 'opening', 'closing']) yield [dymsum, name, [box, box, {}]];
+  const booleans = ['intersection', 'difference', 'symmetricDifference'];
+  for (const name of ['minkowskiSum', 'nfp', 'erode', ...booleans]) for (const p of [square, dymsum.united([square])]) yield [dymsum, name, [p, bar, {}]];
+  for (const name of ['minkowskiSum', 'erode', 'opening', 'closing', ...booleans]) yield [dymsum, name, [box, box, {}]];
+  for (const name of ['minkowskiSum', 'erode']) for (const q of [box, solid]) yield [dymsum, name, [solid, q, {}]];
+  for (const list of [[square, sum], [box, box]]) yield [dymsum, 'united', [list, {}]];
+  yield [dymsum, 'byPlanes', [tetrahedron, {}]];
   yield [dymsum, 'offset', [box, 1, 0.5, {}]];
   yield [dymsum, 'unionOf', [[square, bar], {}]];
   yield [dymsum, 'rotatedSum', [square, bar, { tanHalf: '1/2' }, {}]];
@@ -55,6 +59,11 @@ function* calls() {
   yield [dymsum.ScalingSum.create(square, bar), 'events', [1, 2, () => true]];
   yield [dymsum.ScalingSum.create(square, bar), 'nextEvent', [1, 2, 'visible', () => true]];
   yield [dymsum.RotatingSum.create(square, bar), 'set', [0.5]];
+  yield [dymsum.ScalingFamily, 'create', [square, bar, 1, '3/2', {}]];
+  const family = dymsum.ScalingFamily.create(square, bar, 1, 2);
+  yield [family, 'at', ['3/2']];
+  yield [family, 'changes', [1, 2, 'visible']];
+  for (const name of ['outer', 'inner']) yield [family, name, [1, 2]];
   yield [dymsum.PlanarDepth, 'create', [square, bar]];
   yield [dymsum.PlanarDepth.create(square, bar), 'at', [0, 0]];
   yield [dymsum.CspaceObstacle, 'create', [bar, square, {}]];
@@ -147,6 +156,12 @@ test('options that there are not are refused, with those that there are', async 
   const refused = (action, text) => assert.throws(action, (error) => error instanceof DymsumError && error.code === 'invalid_argument' && error.message.includes(text));
   refused(() => dymsum.nfp(square, bar, { semantcs: 'open' }), 'there is no option "semantcs"; there are: engine, semantics, trace, progress');
   refused(() => dymsum.minkowskiSum(box, box, { trace: true }), '"trace"');
+  refused(() => dymsum.difference(square, bar, { engine: 'fast' }), 'difference: there is no option "engine"; there are: semantics, progress');
+  refused(() => dymsum.intersection(square, box), 'intersection takes regions and planar sums, or meshes');
+  refused(() => dymsum.erode(box, dymsum.united([box])), 'erode takes regions and planar sums, or meshes, or a spatial sum and a mesh or another one');
+  refused(() => dymsum.nfp(box, box), 'nfp takes regions and planar sums');
+  refused(() => dymsum.united([square, box]), 'united takes a list of regions and planar sums, or meshes');
+  refused(() => dymsum.byPlanes({ vertices: [], faces: [] }, { tolerance: 1, planes: 1 }), '"planes"');
   refused(() => dymsum.nfp(square, bar, { trace: 'no' }), 'trace is true or false');
   refused(() => dymsum.nfp(square, bar, { progress: 5 }), 'progress is a function');
   refused(() => dymsum.nfp(square, bar, 5), 'options are an object');
@@ -167,7 +182,7 @@ function namesOf(type) {
 test('the options that are looked at are those of index.d.ts', () => {
   const written = [...types.matchAll(/(\w+)\(([^)]*?(?:\([^)]*\)[^)]*?)*)options\?: ([^)]*)\)/g)].map(([, name, , type]) => `${name}: ${namesOf(type).sort()}`);
   const looked = Object.entries(optionsOf).map(([name, [, names]]) => {
-    const plain = name.split('.').at(-1), given = { sumOfRegions: 'minkowskiSum', sumOfMeshes: 'minkowskiSum', erodeMeshes: 'erode' }[plain] ?? plain;
+    const plain = name.split('.').at(-1), given = { sumOfSets: 'minkowskiSum', sumOfMeshes: 'minkowskiSum', sumOfResult: 'minkowskiSum', erodeResult: 'erode' }[plain] ?? plain.replace(/(Of)?Meshes$/, '');
     return `${given}: ${[...names].sort()}`;
   });
   const own = ['load', 'run'];

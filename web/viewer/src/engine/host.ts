@@ -1,5 +1,6 @@
 // What the worker keeps between requests: the module, and the objects that were made for the last few operands.
-import type { Disposable, Dymsum, Mesh, Progress, Region } from 'dymsum';
+import type { Disposable, Mesh, Progress, Region } from 'dymsum';
+import type { PageModule } from './module';
 import { planeShapes } from './plane_shapes';
 import { bytesOf, isMade, keyOf, type Shape } from './shape';
 import { moreSolids } from './solid_shapes';
@@ -11,7 +12,7 @@ export class Host {
   private inUse = new Set<string>();
 
   constructor(
-    readonly dymsum: Dymsum,
+    readonly dymsum: PageModule,
     /** For options: passes progress of the request at hand on. */
     readonly progress: Progress,
   ) {}

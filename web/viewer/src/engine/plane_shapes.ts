@@ -1,11 +1,12 @@
 // Regions to start with: the library's own.
-import type { Dymsum, Region } from 'dymsum';
+import type { Region } from 'dymsum';
+import type { PageModule } from './module';
 
 const kGrid = 2 ** 20; // points of circles and cells are multiples of 1 / kGrid: scaled by short fractions they are doubles again
 
 type Generators = Record<string, (...args: number[]) => Region>;
 
-export function planeShapes({ shapes }: Dymsum): Generators {
+export function planeShapes({ shapes }: PageModule): Generators {
   return {
     ...(shapes as unknown as Generators),
     disc: (vertices, radius) => shapes.disc(vertices, radius, 1 / kGrid),

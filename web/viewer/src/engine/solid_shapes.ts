@@ -1,5 +1,6 @@
 // Solids to start with beside the library's own: made of its prisms, and of plain lists of triangles.
-import type { Dymsum, Mesh, MeshData, Region } from 'dymsum';
+import type { Mesh, MeshData, Region } from 'dymsum';
+import type { PageModule } from './module';
 
 const kGrid = 2 ** 20; // coordinates are multiples of 1 / kGrid
 
@@ -19,10 +20,10 @@ function torus(large: number, small: number, nu: number, nv: number): MeshData {
 type Generators = Record<string, (...args: number[]) => Mesh>;
 
 /** The library's generators, snapped to the grid of all solids here. */
-const snapped = (solids: Dymsum['solids']): Generators =>
+const snapped = (solids: PageModule['solids']): Generators =>
   Object.fromEntries(Object.entries(solids as unknown as Generators).map(([name, make]) => [name, (...args: number[]) => make(...args, 1 / kGrid)]));
 
-export function moreSolids({ Mesh: meshes, shapes, solids }: Dymsum): Generators {
+export function moreSolids({ Mesh: meshes, shapes, solids }: PageModule): Generators {
   /** A prism over a region without holes, moved so that the middle of its box is the origin. */
   const over = (region: Region, height: number): Mesh => {
     const standing = solids.prism(region.shape().vertices, height, 1 / kGrid), [x0, y0, , x1, y1] = standing.bounds();

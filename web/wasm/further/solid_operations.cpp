@@ -1,0 +1,104 @@
+// What is made of solids besides their sum: Boolean operations, inner fits, openings, closings, offsets, solids by
+// their planes.
+#include "arrays.h"
+#include "dymsum/solid_by_planes.h"
+#include "dymsum/solid_erosion.h"
+#include "dymsum/solid_offset.h"
+#include "dymsum/solid_union.h"
+#include "mesh.h"
+#include "options.h"
+#include "plain.h"
+
+namespace dymsum::web {
+namespace {
+
+using emscripten::function;
+
+using SharedSum = std::shared_ptr<SpatialSum>;
+
+using OfTwo = Result<SpatialSum> (*)(const Mesh&, const Mesh&, const SpatialOptions&);
+template <OfTwo operation>
+SharedSum of_two(const Mesh& a, const Mesh& b, const val& options) {
+  return shared(got(operation(a, b, spatial_options(options))));
+}
+/// Of a result, and a mesh or another one.
+using OfResultAndMesh = Result<SpatialSum> (*)(const SpatialSum&, const Mesh&, const SpatialOptions&);
+using OfResults = Result<SpatialSum> (*)(const SpatialSum&, const SpatialSum&, const SpatialOptions&);
+template <OfResultAndMesh with_mesh, OfResults with_result>
+SharedSum of_result(const SpatialSum& a, const val& b, const val& options) {
+  const SpatialOptions how = spatial_options(options);
+  if (b.instanceof (val::module_property("Mesh")))
+    return shared(got(with_mesh(a, *b.as<std::shared_ptr<Mesh>>(), how)));
+  return shared(got(with_result(a, *b.as<SharedSum>(), how)));
+}
+SharedSum union_of_meshes(const val& meshes, const val& options) {
+  std::vector<Mesh> all;
+  const auto n = meshes["length"].as<unsigned>();
+  for (unsigned k = 0; k < n; ++k) all.push_back(*meshes[k].as<std::shared_ptr<Mesh>>());
+  return shared(got(united(all, spatial_options(options))));
+}
+
+std::vector<PartAxes> axes_in(const val& list) {
+  std::vector<PartAxes> axes;
+  const unsigned n = is_none(list) ? 0 : list["length"].as<unsigned>();
+  for (unsigned k = 0; k < n; ++k)
+    axes.push_back({point3_in(list[k][0]), point3_in(list[k][1]), point3_in(list[k][2])});
+  return axes;
+}
+val by_its_planes(const val& data, const val& options) {
+  PlanesOptions how;
+  if (const val tolerance = member(options, "tolerance"); !is_none(tolerance)) how.tolerance = tolerance.as<double>();
+  how.known = axes_in(member(options, "known"));
+  how.sums = spatial_options(options);
+  SolidByPlanes made = got(by_planes(mesh_data_in(data), how));
+  val v = val::object();
+  v.set("report", made.to_string());
+  v.set("solid", shared(std::move(made.solid)));
+  v.set("axes", plain(made.axes));
+  v.set("tolerance", made.tolerance);
+  v.set("largestMove", made.largest_move);
+  v.set("merged", plain(made.merged));
+  v.set("bentFaces", plain(made.bent_faces));
+  return v;
+}
+
+BetweenSteps between_in(const val& options) { return enumerator(member(options, "between"), BetweenSteps::exact); }
+val opened_data(SolidOpening made) {
+  val v = val::object();
+  v.set("solid", shared(std::move(made.solid)));
+  v.set("moved", made.moved);
+  return v;
+}
+val opened(const Mesh& a, const Mesh& b, const val& options) {
+  return opened_data(got(opening(a, b, spatial_options(options), between_in(options))));
+}
+val closed(const Mesh& a, const Mesh& b, const val& options) {
+  return opened_data(got(closing(a, b, spatial_options(options), between_in(options))));
+}
+
+val offset_by(const Mesh& mesh, double distance, double tolerance, const val& options) {
+  const OffsetBound bound = enumerator(member(options, "bound"), OffsetBound::inside);
+  SolidOffset made = got(offset(mesh, distance, tolerance, bound, spatial_options(options)));
+  val v = val::object();
+  v.set("solid", shared(std::move(made.solid)));
+  v.set("low", made.low);
+  v.set("high", made.high);
+  v.set("ballFacets", static_cast<double>(made.ball_facets));
+  return v;
+}
+
+EMSCRIPTEN_BINDINGS(solid_operations) {
+  function("unitedMeshes", guarded<&union_of_meshes>);
+  function("intersectionOfMeshes", guarded<&of_two<&intersection>>);
+  function("differenceOfMeshes", guarded<&of_two<&difference>>);
+  function("symmetricDifferenceOfMeshes", guarded<&of_two<&symmetric_difference>>);
+  function("byPlanes", guarded<&by_its_planes>);
+  function("sumOfResult", guarded<&of_result<&minkowski_sum, &minkowski_sum>>);
+  function("erodeResult", guarded<&of_result<&erode, &erode>>);
+  function("opening", guarded<&opened>);
+  function("closing", guarded<&closed>);
+  function("offset", guarded<&offset_by>);
+}
+
+}  // namespace
+}  // namespace dymsum::web
