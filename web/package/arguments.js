@@ -29,7 +29,7 @@ export const optionsOf = {
   differenceOfMeshes: [2, solidBoolean],
   symmetricDifference: [2, boolean],
   symmetricDifferenceOfMeshes: [2, solidBoolean],
-  byPlanes: [1, ['tolerance', 'known', ...solidBoolean]],
+  byPlanes: [1, ['tolerance', ...solidBoolean]],
   rotatedSum: [3, sum],
   sliceOfSum: [3, spatial],
   cspaceSlice: [3, sum],

@@ -664,8 +664,6 @@ export type PartAxes = readonly [Point3, Point3, Point3];
 export interface PlanesOptions {
   /** The most that a vertex may move; else 2^-40 of the part's size (2^-20 in single precision). */
   tolerance?: number;
-  /** Axes of other parts, so that faces that are parallel in both stay so. */
-  known?: PartAxes[];
   memory?: number;
   progress?: Progress;
 }
@@ -994,6 +992,8 @@ export interface Live {
   symmetricDifference(a: Mesh, b: Mesh, options?: SolidBooleanOptions): SpatialSum;
   /** The solid whose faces are plane and parallel where those of the data are but for rounding. */
   byPlanes(data: MeshData, options?: PlanesOptions): SolidByPlanes;
+  /** Of several, with axes in common where that loses no planes: faces that are parallel in both stay so. */
+  byPlanes(data: MeshData[], options?: PlanesOptions): SolidByPlanes[];
   /** (A (-) B) (+) B and (A (+) B) (-) B; `between: 'rounded'` where positions between the two are no doubles */
   opening(a: Mesh, b: Mesh, options?: SpatialOptions & { between?: 'exact' | 'rounded' }): SolidOpening;
   closing(a: Mesh, b: Mesh, options?: SpatialOptions & { between?: 'exact' | 'rounded' }): SolidOpening;

@@ -223,12 +223,12 @@ test('a turned box by its planes has six, and is the solid that the command line
     const box = solids.box(0, 0, 0, size, size, size), files = { 'turned.off': off, 'box.off': box.format('off') };
     const { volume_exact: volume } = await reported([verb, 'turned.off', 'box.off', '--planes', '--exact'], files);
     const { vertices, faceStarts, faceVertices } = box.shape(), faces = [...faceStarts.subarray(1)].map((end, k) => [...faceVertices.subarray(faceStarts[k], end)]);
-    const other = dymsum.byPlanes({ vertices, faces }, { known: made.axes }).solid; // as the command takes its second operand
-    assert.equal(operation(made.solid, other).volumeExact(), volume, verb);
+    const [first, second] = dymsum.byPlanes([data, { vertices, faces }]), other = second.solid; // as the command takes its operands
+    assert.equal(operation(first.solid, other).volumeExact(), volume, verb);
     assert.ok(Math.abs(operation(made.solid, box).volume() - operation(made.solid, other).volume()) < 1e-11, verb);
   }
   assert.ok(dymsum.minkowskiSum(made.solid, made.solid).volume() > 47.99, 'twice as large');
-  assert.ok(dymsum.byPlanes(data, { tolerance: 1e-9, known: made.axes }).tolerance === 1e-9);
+  assert.ok(dymsum.byPlanes(data, { tolerance: 1e-9 }).tolerance === 1e-9);
   assert.equal(thrown(() => dymsum.byPlanes(data, { tolerance: 0 })).code, 'out_of_range');
 });
 

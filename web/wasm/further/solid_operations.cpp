@@ -38,19 +38,7 @@ SharedSum union_of_meshes(const val& meshes, const val& options) {
   return shared(got(united(all, spatial_options(options))));
 }
 
-std::vector<PartAxes> axes_in(const val& list) {
-  std::vector<PartAxes> axes;
-  const unsigned n = is_none(list) ? 0 : list["length"].as<unsigned>();
-  for (unsigned k = 0; k < n; ++k)
-    axes.push_back({point3_in(list[k][0]), point3_in(list[k][1]), point3_in(list[k][2])});
-  return axes;
-}
-val by_its_planes(const val& data, const val& options) {
-  PlanesOptions how;
-  if (const val tolerance = member(options, "tolerance"); !is_none(tolerance)) how.tolerance = tolerance.as<double>();
-  how.known = axes_in(member(options, "known"));
-  how.sums = spatial_options(options);
-  SolidByPlanes made = got(by_planes(mesh_data_in(data), how));
+val planes_data(SolidByPlanes made) {
   val v = val::object();
   v.set("report", made.to_string());
   v.set("solid", shared(std::move(made.solid)));
@@ -60,6 +48,17 @@ val by_its_planes(const val& data, const val& options) {
   v.set("merged", plain(made.merged));
   v.set("bentFaces", plain(made.bent_faces));
   return v;
+}
+/// Of one solid's data, or of a list of them, which have axes in common.
+val by_its_planes(const val& data, const val& options) {
+  PlanesOptions how;
+  if (const val tolerance = member(options, "tolerance"); !is_none(tolerance)) how.tolerance = tolerance.as<double>();
+  how.sums = spatial_options(options);
+  if (!data.isArray()) return planes_data(got(by_planes(mesh_data_in(data), how)));
+  std::vector<MeshData> solids;
+  const auto n = data["length"].as<unsigned>();
+  for (unsigned k = 0; k < n; ++k) solids.push_back(mesh_data_in(data[k]));
+  return list_of(got(by_planes(solids, how)), planes_data);
 }
 
 BetweenSteps between_in(const val& options) { return enumerator(member(options, "between"), BetweenSteps::exact); }
