@@ -17,7 +17,7 @@ namespace dymsum::io {
 
 namespace {
 
-/// The WKB of a geometry in a GeoPackage, behind its header: "GP", a version, flags, a coordinate system, a box.
+/// The WKB of a geometry in a GeoPackage, after its header: "GP", a version, flags, a coordinate system, a box.
 std::string_view wkb_of(std::string_view blob) {
   constexpr std::size_t kFixed = 8;
   constexpr std::size_t kBoxes[] = {0, 32, 48, 48, 64};  // bytes of each kind of box
@@ -39,6 +39,26 @@ std::string_view wkb_of(std::string_view blob) {
     throw WkbFailure{ErrorCode::truncated, "the geometry ends before its box does"};
   return blob.substr(kFixed + kBoxes[box]);
 }
+
+/// Names for a message, which lists the first of them: they are a stranger's.
+class NameList {
+ public:
+  void add(const std::string& name, const std::string& note = "") {
+    constexpr std::size_t kMost = 20, kLongest = 64;
+    if (++count_ > kMost) return;
+    if (count_ > 1) text_ += ", ";
+    for (const char c : name.substr(0, kLongest)) text_ += static_cast<unsigned char>(c) < ' ' || c == 127 ? '?' : c;
+    text_ += note;
+    listed_ = count_;
+  }
+  std::string text() const {
+    return count_ == listed_ ? text_ : text_ + " and " + std::to_string(count_ - listed_) + " more";
+  }
+
+ private:
+  std::string text_;
+  std::size_t count_ = 0, listed_ = 0;
+};
 
 class GpkgReader {
  public:
@@ -93,9 +113,9 @@ class GpkgReader {
   }
 
   static std::string names_of_all(const std::vector<Layer>& layers) {
-    std::string names;
-    for (const Layer& layer : layers) names += (names.empty() ? "" : ", ") + layer.table;
-    return names;
+    NameList names;
+    for (const Layer& layer : layers) names.add(layer.table);
+    return names.text();
   }
 
   /// Calls visit(row, geometry) for the rows of a layer: by their numbers in a table, counted from 1 in a view. What is
@@ -189,13 +209,13 @@ std::vector<NamedShape> read_gpkg(const Source& source, const std::optional<std:
 }
 
 std::string layers_of(const std::vector<NamedShape>& shapes) {
-  std::string text;
+  NameList names;
   for (std::size_t i = 0, end = 0; i < shapes.size(); i = end) {
     const auto layer = [&](std::size_t k) { return shapes[k].name.substr(0, shapes[k].name.rfind('/')); };
     for (end = i; end < shapes.size() && layer(end) == layer(i);) ++end;
-    text += (text.empty() ? "" : ", ") + layer(i) + " (" + std::to_string(end - i) + ")";
+    names.add(layer(i), " (" + std::to_string(end - i) + ")");
   }
-  return text;
+  return names.text();
 }
 
 std::optional<Error> unfinished_database(const std::string& path, std::string_view bytes) {

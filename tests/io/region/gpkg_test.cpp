@@ -131,6 +131,22 @@ TEST(Gpkg, a_layer_or_a_row_is_selected) {
   says("#3", "no shape '3' among 3");
 }
 
+TEST(Gpkg, of_many_layers_the_first_are_listed) {
+  const Folder folder("gpkg");
+  const std::string path = folder / "map.gpkg";
+  std::string statements = kTables;
+  for (int k = 100; k < 123; ++k)
+    statements += layer("l" + std::to_string(k) + "\n") + row("l" + std::to_string(k) + "\n", 1, triangle(k));
+  save(path, database(statements));
+  const auto ends = [](const std::string& message, std::string_view words) {
+    EXPECT_TRUE(message.ends_with(words)) << message;
+  };
+  ends(read_shape(path).error().message, ", l119? (1) and 3 more");
+  ends(read_shape(path + "#none").error().message,
+       "there are l100?, " + std::string("l101?, l102?, l103?, l104?, l105?, l106?, l107?, l108?, l109?, l110?, l111?, "
+                                         "l112?, l113?, l114?, l115?, l116?, l117?, l118?, l119? and 3 more"));
+}
+
 TEST(Gpkg, what_is_not_selected_is_not_read) {
   const Folder folder("gpkg");
   const std::string path = folder / "map.gpkg";
