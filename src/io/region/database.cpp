@@ -19,8 +19,8 @@ constexpr std::size_t kWriteMode = 18, kReadMode = 19;
 constexpr std::uint64_t most_steps(std::uint64_t bytes) { return 1'000'000 + 32 * bytes; }
 constexpr int kStepsAtOnce = 100;
 
-/// So much memory may SQLite use: nothing that is honest sorts more than the file. It counts what the whole process has,
-/// so the limit leaves room for others that read at the same time.
+/// So much memory may SQLite use: nothing that is honest sorts more than the file. It counts what the whole process
+/// has, so the limit leaves room for others that read at the same time.
 constexpr std::int64_t most_memory(std::uint64_t bytes) {
   return (std::int64_t{1} << 28) + 2 * static_cast<std::int64_t>(bytes);
 }
