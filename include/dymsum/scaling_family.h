@@ -2,6 +2,7 @@
 // scales at which it changes, what lives how long, and what holds for all scales and for some.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -63,6 +64,10 @@ class ScalingFamily {
   /// Of all vertices, edges and holes, by feature, then as they first come. Errors: out_of_memory where structures are
   /// not all kept.
   Result<std::vector<Lifetime>> lifetimes() const;
+  /// Identities of the rings of at(s), part by part, the outer ring of each first, by which lifetimes name holes. At an
+  /// event a ring has that of a ring of the cell before with which it shares a vertex, else of the cell after, else 0;
+  /// so it is where a structure is not kept. Cost: that of at(s). Errors: bad_scale outside the interval.
+  Result<std::vector<std::uint64_t>> ring_ids(const Scale& s) const;
 
   /// What lies in the sum at some scale of [a, b]: exact, closed. A union: (the union of s P over [a, b]) (+) Q.
   Result<PlanarSum> outer(const Scale& a, const Scale& b) const;

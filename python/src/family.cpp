@@ -105,6 +105,13 @@ void bind_family_events(nb::class_<ScalingFamily>& type) {
       .def(
           "lifetimes", [](const ScalingFamily& self) { return take(without_gil([&] { return self.lifetimes(); })); },
           "Of all vertices, edges and holes. Raises Error: out_of_memory where structures are not all kept.")
+      .def(
+          "ring_ids",
+          [](const ScalingFamily& self, const ScaleArgument& s) {
+            const Scale at = s.value();
+            return take(without_gil([&] { return self.ring_ids(at); }));
+          },
+          "s"_a, "Identities of the rings of at(s), part by part, outer ring first; 0 where a ring has none.")
       .def("work", &ScalingFamily::work);
 }
 

@@ -324,6 +324,12 @@ Result<std::vector<Lifetime>> ScalingFamily::lifetimes() const {
   return lifetimes_of(state_->cells.structures);
 }
 
+Result<std::vector<std::uint64_t>> ScalingFamily::ring_ids(const Scale& s) const {
+  const Result<PlanarSum> sum = at(s);
+  if (!sum) return sum.error();
+  return state_->cells.ring_ids(*sum, s);
+}
+
 Result<PlanarSum> ScalingFamily::outer(const Scale& a, const Scale& b) const {
   if (std::optional<Error> error = state_->outside(a, b)) return *std::move(error);
   const FamilyOptions& options = state_->options;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -199,6 +200,62 @@ TEST(ScalingFamily, lifetimes_are_as_long_as_they_can_be_and_cover_every_sum) {
     EXPECT_EQ(vertices, sum.vertex_count()) << cell;
     EXPECT_EQ(holes, sum.hole_count()) << cell;
   }
+}
+
+/// The holes of a family's lifetimes that are there in a cell, and those of the rings of its sum at s.
+void expect_holes_of_lifetimes(const ScalingFamily& family, const std::vector<Lifetime>& lives, std::uint32_t cell,
+                               const Scale& s) {
+  std::vector<std::uint64_t> living, named;
+  for (const Lifetime& life : lives)
+    if (life.feature == FamilyFeature::hole && life.first_cell <= cell && cell <= life.last_cell)
+      living.push_back(life.hole);
+  const std::vector<std::uint64_t> ids = family.ring_ids(s).value();
+  const PlanarSum sum = family.at(s).value();
+  std::size_t ring = 0;
+  for (const SumPart& part : sum.parts) {
+    EXPECT_NE(ids.at(ring++), 0u) << "an outer ring in cell " << cell;
+    for (std::size_t k = 0; k < part.holes.size(); ++k) named.push_back(ids.at(ring++));
+  }
+  EXPECT_EQ(ring, ids.size());
+  std::sort(living.begin(), living.end());
+  std::sort(named.begin(), named.end());
+  EXPECT_EQ(living, named) << "in cell " << cell;
+}
+
+TEST(ScalingFamily, names_the_rings_of_every_sum_as_lifetimes_do) {
+  std::printf("seed %llu
+", static_cast<unsigned long long>(kFamilySeed));
+  std::size_t holes = 0, at_events = 0;
+  for (int k = 0; k < family_rounds(40); ++k) {
+    Random random(kFamilySeed + 900 + static_cast<std::uint64_t>(k));
+    const RegionData p = random_parts(random, 7), q = random_parts(random, 4);
+    SCOPED_TRACE("pair " + std::to_string(k) + "\n" + to_wkt(p) + "\n" + to_wkt(q));
+    const ScalingFamily family =
+        ScalingFamily::create(Region::create(p).value(), Region::create(q).value(), ratio_of(1, 4), ratio_of(4, 1))
+            .value();
+    const std::vector<Lifetime> lives = family.lifetimes().value();
+    BigRational last = exact::exact_value(family.low().exact());
+    for (std::uint32_t cell = 0; cell < family.work().cells; ++cell) {
+      const bool has_end = cell < family.events().size();
+      const BigRational next = has_end ? value_of(family.events()[cell]) : exact::exact_value(family.high().exact());
+      if (next == last) continue;  // an event at an end of the interval
+      expect_holes_of_lifetimes(family, lives, cell, scale_at((last + next) / 2));
+      last = next;
+      if (!has_end || cell + 1 == family.work().cells) continue;
+      // At an event most rings have vertices of before.
+      const Scale event = scale_at(next);
+      const std::vector<std::uint64_t> ids = family.ring_ids(event).value();
+      EXPECT_EQ(ids.size(), family.at(event).value().parts.size() + family.at(event).value().hole_count());
+      at_events += static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), [](auto id) { return id != 0; }));
+    }
+    for (const Lifetime& life : lives) holes += life.feature == FamilyFeature::hole;
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(holes, 20u);
+  EXPECT_GT(at_events, 100u);
+  const ScalingFamily small =
+      ScalingFamily::create(shapes::star(5, 1, 2), shapes::star(4, 1, 2), ratio_of(1, 1), ratio_of(2, 1)).value();
+  EXPECT_EQ(small.ring_ids(ratio_of(3, 1)).error().code, ErrorCode::bad_scale);
 }
 
 TEST(ScalingFamily, inner_and_outer_are_what_holds_for_all_scales_and_for_some) {
