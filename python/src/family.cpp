@@ -141,8 +141,8 @@ void bind_family_class(nb::module_& m) {
             new (self) ScalingFamily(created_family(p, q, low, high, ratio, options));
           },
           "p"_a, "q"_a, "low"_a, "high"_a, "ratio"_a = 1, "options"_a = FamilyOptions(),
-          "Sums diag(s, ratio s) P (+) Q for s in [low, high]. Raises Error: bad_scale; unsupported_operand for "
-          "polylines and points; cancelled; out_of_memory.")
+          "Sums diag(s, ratio s) P (+) Q for s in [low, high]. Raises Error: bad_scale; unsupported_operand for huge "
+          "coordinates; cancelled; out_of_memory.")
       .def_static("create", &created_family, "p"_a, "q"_a, "low"_a, "high"_a, "ratio"_a = 1,
                   "options"_a = FamilyOptions())
       .def("p", &ScalingFamily::p, nb::rv_policy::reference_internal)

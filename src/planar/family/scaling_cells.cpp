@@ -277,7 +277,6 @@ Result<ScalingCells> cells_along(std::shared_ptr<const OperandPair> base, const 
 Result<ScalingCells> empty_cells(const Region& p, const Region& q, const Scale& ratio, const FamilyOptions& options) {
   Result<std::shared_ptr<const OperandPair>> base = pair_of_regions(p, q, moving_options(options));
   if (!base) return base.error();
-  if (std::optional<Error> error = without_events(**base)) return *std::move(error);
   return cells_along(*base, ratio, options);
 }
 

@@ -194,8 +194,8 @@ struct ScalingCells {
   void add_dropped_cell();
   /// The sum at a scale. Requires: it lies in the interval. Errors: as sums from scratch.
   Result<PlanarSum> at(const Scale& s, Semantics semantics) const;
-  /// The identities of the rings of a sum at a scale: of each that of the first ring with which it shares a vertex, of
-  /// the scale's cell, or of those before and after the event; 0 where there is none.
+  /// The identities of the rings of a sum at a scale: of each that of the first ring with which it has a vertex in
+  /// common, of the scale's cell, or of those before and after the event; 0 where there is none.
   std::vector<std::uint64_t> ring_ids(const PlanarSum& sum, const Scale& s) const;
 
  private:
