@@ -123,6 +123,7 @@ def test_families_of_scales(tmp_path: Path) -> None:
         moving.set(s)
         assert family.at(s) == moving.sum()
     assert family.changes(1, 2) == [e for e in family.events() if e.visible and e.s >= 1]
+    assert len(family.ring_ids(1)) == len(family.at(1).parts) + family.at(1).hole_count() and all(family.ring_ids(Fraction(7, 5)))
     first = family.next(1)
     assert first == moving.next_event(1, 2) and family.locate(first.s).event and not family.locate(2).event
     assert {life.feature for life in family.lifetimes()} >= {dymsum.FamilyFeature.vertex, dymsum.FamilyFeature.edge}

@@ -147,8 +147,8 @@ std::vector<KineticSegment> kinetic_convolution(const Lattice& lattice, const Op
 /// Whether there are any: in open sums they are none.
 bool makes_parallelograms(Semantics semantics, const Operand& p, const Operand& q);
 
-/// All that bounds closed sums of components without area, and is a piece of them, wherever the operands stand: each edge
-/// of one with each vertex of the other, once where a polyline is walked there and back; and sums of two points.
+/// All that bounds closed sums of components without area, and is a piece of them, wherever the operands stand: each
+/// edge of one with each vertex of the other, once where a polyline is walked there and back; and sums of two points.
 struct SumsWithoutArea {
   std::vector<WalkSegment> segments;
   std::vector<WalkPair> points;

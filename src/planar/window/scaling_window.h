@@ -119,7 +119,7 @@ struct WindowSettings {
   WindowFrame frame;
   int cells = 64;  ///< along the grid's longer side
   bool mask = true;
-  bool covers = true;  ///< leave out crossings and nodes that two edges prove covered while they exist
+  bool covers = true;       ///< leave out crossings and nodes that two edges prove covered while they exist
   bool edges_prove = true;  ///< edges that cross prove a position covered: two polylines do not in an open sum
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
   CoverMemory* memory = nullptr;          ///< of windows of the same convolution
