@@ -19,6 +19,7 @@ requires(B > 126) FineInterval leading_digits(const Int<B>& v, int shift) {
   int bits = 64 * static_cast<int>(size.w.size());
   while (bits > 0 && ((size.w[static_cast<std::size_t>(bits - 1) / 64] >> ((bits - 1) % 64)) & 1) == 0) --bits;
   if (bits == 0) return {};
+  // No smaller radius: what intervals are multiplied by stays far from the least doubles.
   const auto up_to = [](int exponent) {
     const double r = std::ldexp(1.0, std::max(exponent, -900));
     return FineInterval(Interval(-r, r));
