@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "exact/big.h"
 #include "exact/fraction.h"
+#include "exact/leading_digits.h"
 #include "spatial/mesh/vec3.h"
 
 namespace dymsum::exact {
@@ -304,8 +305,8 @@ const FineSpace* GridSpace<C>::fine() const {
         std::vector<FineSpace::Vector> result;
         result.reserve(points.size());
         const auto coordinate = [&](const C& c, int axis) {
-          if constexpr (kHasWide<C>) return fine_coordinate(c, shift_[axis] - top);
-          else return fine_coordinate(exact::to_big(c), shift_[axis] - top);
+          if constexpr (kOneType<C>) return fine_coordinate(c, shift_[axis] - top);
+          else return exact::leading_digits(c, shift_[axis] - top);
         };
         for (const Point& v : points) result.push_back({coordinate(v.x, 0), coordinate(v.y, 1), coordinate(v.z, 2)});
         return result;
