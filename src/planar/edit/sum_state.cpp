@@ -74,7 +74,7 @@ bool EditedSum::can_keep(const PlacedPair& placed, const Step& step) const {
 bool EditedSum::same_numbers(const PlacedPair& placed) const {
   const Lattice &a = *placed_.lattice, &b = *placed.lattice;
   const auto same = [](const PlacedPoints& x, const PlacedPoints& y) { return x.offset == y.offset; };
-  return a.unit == b.unit && a.span == b.span && same(*a.points[0], *b.points[0]) &&
+  return a.unit == b.unit && a.span == b.span && a.exact_doubles == b.exact_doubles && same(*a.points[0], *b.points[0]) &&
          same(*a.points[1], *b.points[1]) && cover_->holds(*placed.p, *placed.q);
 }
 
