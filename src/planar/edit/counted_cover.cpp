@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 
 namespace dymsum::planar {
 namespace {
@@ -31,13 +32,6 @@ void for_each_run(const Bitmap& map, F&& f) {
 
 // More changed cells than this are counted anew from all runs.
 constexpr std::uint64_t kFewCells = 400;
-
-std::uint64_t differing(const Bitmap& a, const Bitmap& b) {
-  std::uint64_t count = 0;
-  for (std::size_t i = 0; i < a.bits.size(); ++i)
-    count += static_cast<std::uint64_t>(std::popcount(a.bits[i] ^ b.bits[i]));
-  return count;
-}
 
 // counts += the number of ways in which a cell is a sum of one of each. Runs of lengths k and l make a trapezoid,
 // whose second differences are four numbers.
@@ -72,12 +66,11 @@ CountedCover::CountedCover(const Operand& p, const Operand& q, int cells)
       height_{p.points->height, q.points->height},
       covered_(0, 0) {
   const SumGrid grid(width_, height_, cells);
-  part_ = grid.part;
   grid_ = grid.whole;
   covered_ = Bitmap(grid_.rows, grid_.columns);
   counts_.assign(static_cast<std::size_t>(grid.whole.rows) * static_cast<std::size_t>(grid.whole.columns), 0);
-  proofs_.push_back(proofs_of(p, part_[0]));
-  proofs_.push_back(proofs_of(q, part_[1]));
+  rasters_.emplace_back(p, grid.part[0]);
+  rasters_.emplace_back(q, grid.part[1]);
   count_all();
   settle();
 }
@@ -98,38 +91,24 @@ bool CountedCover::holds(const Operand& p, const Operand& q) const {
          q.points->height <= height_[1];
 }
 
-CountedCover::Proofs CountedCover::proofs_of(const Operand& o, const Grid& cells) const {
-  Raster raster = fine_raster(o, cells);
-  return {inner_corners(raster.inner), std::move(raster.touch)};
-}
-
 void CountedCover::count_all() {
   std::fill(counts_.begin(), counts_.end(), 0);
-  add_counts(counts_, grid(), proofs_[0].corners, proofs_[1].touch);
-  add_counts(counts_, grid(), proofs_[1].corners, proofs_[0].touch);
-  for (std::uint32_t k = 0; k < counts_.size(); ++k) flipped_.push_back(k);
+  add_counts(counts_, grid(), rasters_[0].corners(), rasters_[1].touch());
+  add_counts(counts_, grid(), rasters_[1].corners(), rasters_[0].touch());
+  flipped_.resize(counts_.size());
+  std::iota(flipped_.begin(), flipped_.end(), 0u);
 }
 
-void CountedCover::add_cell(int row, int column, int change, const Bitmap& other) {
-  const int columns = grid().columns;
-  for_each_run(other, [&](int r, int first, int last) {
-    const std::size_t from = static_cast<std::size_t>(row + r) * static_cast<std::size_t>(columns) +
-                             static_cast<std::size_t>(column + first);
-    for (std::size_t k = from, end = from + static_cast<std::size_t>(last - first); k <= end; ++k) {
-      counts_[k] += change;
-      if (counts_[k] == (change > 0 ? 1 : 0)) flipped_.push_back(static_cast<std::uint32_t>(k));
-    }
-  });
-}
-
-void CountedCover::replace(const Bitmap& before, const Bitmap& after, const Bitmap& other) {
-  for (int r = 0; r < before.rows; ++r)
-    for (std::size_t w = 0; w < before.words; ++w)
-      for (std::uint64_t bits = before.row(r)[w] ^ after.row(r)[w]; bits != 0; bits &= bits - 1) {
-        const int c = static_cast<int>(w) * 64 + std::countr_zero(bits);
-        add_cell(r, c, after.get(r, c) ? 1 : -1, other);
-        ++changed_cells_;
-      }
+void CountedCover::add_cells(const std::vector<EdgeRaster::Flip>& flips, const Bitmap& other) {
+  const auto columns = static_cast<std::size_t>(grid().columns);
+  for (const EdgeRaster::Flip& flip : flips) {
+    const std::int32_t change = flip.set ? 1 : -1, edge = flip.set ? 1 : 0;
+    for_each_run(other, [&](int r, int first, int last) {
+      const std::size_t from = static_cast<std::size_t>(flip.row + r) * columns + static_cast<std::size_t>(flip.column);
+      for (std::size_t k = from + static_cast<std::size_t>(first); k <= from + static_cast<std::size_t>(last); ++k)
+        if ((counts_[k] += change) == edge) flipped_.push_back(static_cast<std::uint32_t>(k));
+    });
+  }
 }
 
 // Brings the covered cells in line with the counts; those that are covered no longer.
@@ -147,23 +126,22 @@ std::vector<GridCell> CountedCover::settle() {
   return lost;
 }
 
-std::vector<GridCell> CountedCover::update(const std::array<const Operand*, 2>& operands,
-                                           const std::array<bool, 2>& changed) {
+std::vector<GridCell> CountedCover::update(const PlacedPair& before, const PlacedPair& after,
+                                           const std::array<WalkChanges, 2>& changes) {
   changed_cells_ = 0;
+  const std::array<const Operand*, 2> was{before.p.get(), before.q.get()}, is{after.p.get(), after.q.get()};
+  bool many = false;
   for (std::size_t op = 0; op < 2; ++op) {
-    if (!changed[op]) continue;
-    Proofs after = proofs_of(*operands[op], part_[op]);
-    Proofs &before = proofs_[op], &other = proofs_[1 - op];
-    if (differing(before.corners, after.corners) + differing(before.touch, after.touch) > kFewCells) {
-      before = std::move(after);
-      changed_cells_ += kFewCells;
-      count_all();
-      continue;
-    }
-    replace(before.corners, after.corners, other.touch);
-    replace(before.touch, after.touch, other.corners);
-    before = std::move(after);
+    if (changes[op].unchanged()) continue;
+    const EdgeRaster::Flips flips = rasters_[op].update(*was[op], *is[op], changes[op]);
+    const std::size_t cells = flips.corners.size() + flips.touch.size();
+    changed_cells_ += cells;
+    many |= cells > kFewCells;
+    if (many) continue;
+    add_cells(flips.corners, rasters_[1 - op].touch());
+    add_cells(flips.touch, rasters_[1 - op].corners());
   }
+  if (many) count_all();
   return settle();
 }
 

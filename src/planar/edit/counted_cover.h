@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "planar/edit/edge_raster.h"
+#include "planar/edit/walk_changes.h"
 #include "planar/mask/interior_mask.h"
 #include "planar/operand/operand.h"
 
@@ -30,31 +32,25 @@ class CountedCover {
   /// Whether operands of these extents still lie on the grid.
   bool holds(const Operand& p, const Operand& q) const;
 
-  /// Follows an operand to its new walk, against the other one's raster as it was last: first P, then Q. Returns the
-  /// cells that are covered no longer. Cost: O(edges + cells / 64), and for each cell of the raster that changed the
-  /// other raster's cells.
-  std::vector<GridCell> update(const std::array<const Operand*, 2>& operands, const std::array<bool, 2>& changed);
+  /// Follows an edit of the operands. Returns the cells that are covered no longer. Cost: that of EdgeRaster::update,
+  /// and for each cell of a raster that changed the other raster's cells.
+  std::vector<GridCell> update(const PlacedPair& before, const PlacedPair& after,
+                               const std::array<WalkChanges, 2>& changes);
 
   /// Cells of rasters that changed in the last update.
   std::uint64_t changed_cells() const { return changed_cells_; }
 
  private:
-  // Inner corners and touched cells of an operand: proofs are sums of a corner of one and a touched cell of the other.
-  struct Proofs {
-    Bitmap corners, touch;
-  };
-  Proofs proofs_of(const Operand& o, const Grid& cells) const;
+  // Proofs are sums of an inner corner of one operand and a touched cell of the other.
   void count_all();
-  void add_cell(int row, int column, int change, const Bitmap& other);
-  void replace(const Bitmap& before, const Bitmap& after, const Bitmap& other);
+  void add_cells(const std::vector<EdgeRaster::Flip>& flips, const Bitmap& other);
   std::vector<GridCell> settle();
 
-  std::array<Grid, 2> part_;
   std::array<double, 2> width_, height_;
   Grid grid_;
   Bitmap covered_;
   std::vector<std::int32_t> counts_;
-  std::vector<Proofs> proofs_;
+  std::vector<EdgeRaster> rasters_;
   std::vector<std::uint32_t> flipped_;
   std::uint64_t changed_cells_ = 0;
 };

@@ -205,7 +205,7 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step, std::array<W
   auto convolution = std::make_unique<ReducedConvolution>(*placed.lattice, *placed.p, *placed.q);
   arrangement_->remove_changed(walks, *convolution);
   const std::vector<GridCell> uncovered =
-      cover_->update({placed.p.get(), placed.q.get()}, {!walks[0].unchanged(), !walks[1].unchanged()});
+      cover_->update(placed_, placed, walks);
   arrangement_->rename(placed, *convolution, walks);
   arrangement_->add_changed(walks, *convolution_, uncovered);
   for (std::uint32_t op = 0; op < 2; ++op) filled_[op] = filled_loops(placed, op);
