@@ -153,9 +153,12 @@ int run(int argc, char** argv) {
   for (const Kind& kind : options.coordinates.kinds) {
     Report report;
     report.line(
-        "# Edited sums\n\nWritten by `./run bench edits --results docs/results`. Processor times in milliseconds of one "
-        "thread. A step moves vertices of P that follow one another, each by up to a fifth of the extent over the number "
-        "of vertices along each axis; refused steps are not counted. Fresh: the edited P is made a region and summed with Q, "
+        "# Edited sums\n\nWritten by `./run bench edits --results docs/results`. Processor times in milliseconds of "
+        "one "
+        "thread. A step moves vertices of P that follow one another, each by up to a fifth of the extent over the "
+        "number "
+        "of vertices along each axis; refused steps are not counted. Fresh: the edited P is made a region and summed "
+        "with Q, "
         "which has been summed before. Making: `EditableSum::create`.\n");
     if (kind) report.line("Coordinates: " + name(*kind) + ".\n");
     if (data.empty()) report.line("No data folder (DYMSUM_DATA): the thesis's polygons are left out.\n");

@@ -10,8 +10,8 @@
 
 namespace dymsum::cli {
 
-/// A line of a script: edits that are made as one step, or a step back or forward; and the hash that the sum has to have
-/// after it, where it says one.
+/// A line of a script: edits that are made as one step, or a step back or forward; and the hash that the sum has to
+/// have after it, where it says one.
 struct ScriptStep {
   enum class Kind : std::uint8_t { edits, undo, redo };
   Kind kind = Kind::edits;

@@ -1,5 +1,6 @@
-// Planar sums that stay exact while their operands are edited: vertices move, come and go, chains are extruded, holes and
-// parts are added and removed, in either operand. A step updates what it touches; the result equals a fresh sum, always.
+// Planar sums that stay exact while their operands are edited: vertices move, come and go, chains are extruded, holes
+// and parts are added and removed, in either operand. A step updates what it touches; the result equals a fresh sum,
+// always.
 #pragma once
 
 #include <array>
@@ -66,15 +67,15 @@ struct EditOptions {
 
 /// The work of one step.
 struct EditWork {
-  bool rebuilt = false;           ///< from scratch, all that is kept included
-  bool degenerate = false;        ///< something touches that shows: the result is from scratch, what is kept is not
+  bool rebuilt = false;     ///< from scratch, all that is kept included
+  bool degenerate = false;  ///< something touches that shows: the result is from scratch, what is kept is not
   std::uint64_t segments_removed = 0, segments_added = 0;  ///< live ones
-  std::uint64_t cells_changed = 0;    ///< of the operands' rasters
-  std::uint64_t cells_uncovered = 0;  ///< of the sum
-  std::uint64_t pairs_tested = 0;     ///< of segments
-  std::uint64_t events_changed = 0;   ///< crossings and touches that came or went, each counted at both segments
-  std::uint64_t loops_traced = 0;     ///< cycles walked
-  std::uint64_t loops_kept = 0;       ///< cycles carried over without a walk
+  std::uint64_t cells_changed = 0;                         ///< of the operands' rasters
+  std::uint64_t cells_uncovered = 0;                       ///< of the sum
+  std::uint64_t pairs_tested = 0;                          ///< of segments
+  std::uint64_t events_changed = 0;  ///< crossings and touches that came or went, each counted at both segments
+  std::uint64_t loops_traced = 0;    ///< cycles walked
+  std::uint64_t loops_kept = 0;      ///< cycles carried over without a walk
   std::uint64_t collision_tests = 0;
   std::uint64_t exact_signs = 0;
   double ms = 0;  ///< wall time of the step
@@ -107,8 +108,8 @@ class EditableSum {
   const Region& p() const;
   const Region& q() const;
   /// Names of the vertices of an operand, by index: a vertex keeps its name while it moves and while others come and
-  /// go, a new one has a name that no other one had, and undo brings back the names. An edge is named by the vertex that
-  /// starts it.
+  /// go, a new one has a name that no other one had, and undo brings back the names. An edge is named by the vertex
+  /// that starts it.
   const std::vector<std::uint64_t>& vertex_names(MovingOperand operand) const;
 
   /// The exact sum; valid until the next step. Copies stay valid for ever. After an update stats hold the sizes and the

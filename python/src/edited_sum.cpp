@@ -154,7 +154,7 @@ void bind_sum(nb::module_& m) {
 >>> sum.sum() == minkowski_sum(sum.p(), sum.q()), sum.undo_count()
 (True, 1)
 )doc",
-                            nb::type_slots(WatchedSlots<Editing>::slots));
+                           nb::type_slots(WatchedSlots<Editing>::slots));
   type.def(
           "__init__",
           [](Editing* self, const RegionArgument& p, const RegionArgument& q, const EditOptions& options) {
@@ -168,7 +168,10 @@ void bind_sum(nb::module_& m) {
           },
           nb::rv_policy::take_ownership, "p"_a, "q"_a, "options"_a = EditOptions(), "Raises Error: as minkowski_sum.")
       .def(
-          "edit", [](nb::handle_t<Editing> self) { return EditStep{nb::borrow(self), {}}; },
+          "edit",
+          [](nb::handle_t<Editing> self) {
+            return EditStep{nb::borrow(self), {}};
+          },
           "A step to be filled: with sum.edit() as e.")
       .def(
           "edit", [](Editing& self, const Edit& edit) { return self.edit({edit}); }, "edit"_a)

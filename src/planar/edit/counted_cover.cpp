@@ -62,9 +62,7 @@ void add_counts(std::vector<std::int32_t>& counts, const Grid& grid, const Bitma
 }  // namespace
 
 CountedCover::CountedCover(const Operand& p, const Operand& q, int cells)
-    : width_{p.points->width, q.points->width},
-      height_{p.points->height, q.points->height},
-      covered_(0, 0) {
+    : width_{p.points->width, q.points->width}, height_{p.points->height, q.points->height}, covered_(0, 0) {
   const SumGrid grid(width_, height_, cells);
   grid_ = grid.whole;
   covered_ = Bitmap(grid_.rows, grid_.columns);

@@ -27,8 +27,8 @@ class EdgeRaster {
   struct Flips {
     std::vector<Flip> corners, touch;
   };
-  /// Follows an edit. Requires: coordinates that stay are the same numbers. Cost: the cells of edges that come or go, and
-  /// of their rows a 64th.
+  /// Follows an edit. Requires: coordinates that stay are the same numbers. Cost: the cells of edges that come or go,
+  /// and of their rows a 64th.
   Flips update(const Operand& before, const Operand& after, const WalkChanges& changes);
 
  private:

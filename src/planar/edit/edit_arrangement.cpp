@@ -264,8 +264,7 @@ void EditArrangement::add_turn(std::uint32_t side, std::uint32_t v, const std::a
   for (std::uint32_t e = 0; e < o.size(); ++e) {
     if (convolution_->find(side, e, v) == kNoRank) continue;
     const WalkSegment w{side, e, v};
-    if (was != kNone && changes[side].edge_stays(e) &&
-        before.find(side, changes[side].before(e), was) != kNoRank)
+    if (was != kNone && changes[side].edge_stays(e) && before.find(side, changes[side].before(e), was) != kNoRank)
       continue;
     if (find_live(w) == kNone && has_live_cell(soup_->box(w))) add(w);
   }
@@ -468,14 +467,14 @@ void EditArrangement::drop_pair(WalkPair v) {
     if (const auto at = pairs_.find(other); at != pairs_.end()) std::erase(at->second.same, key(v));
 }
 
-SubEdge EditArrangement::sub_from(EventName start) const {
+LiveSubEdge EditArrangement::sub_from(EventName start) const {
   if (start.segment >= slots_.size() || !slots_[start.segment].alive) return {};
   if (start.id == EventName::kStart) return {start.segment, 0};
   const std::uint32_t k = index_of(start.segment, start.id);
-  return k == kNone ? SubEdge{} : SubEdge{start.segment, k + 1};
+  return k == kNone ? LiveSubEdge{} : LiveSubEdge{start.segment, k + 1};
 }
 
-SegmentPosition EditArrangement::sample(SubEdge at) const {
+SegmentPosition EditArrangement::sample(LiveSubEdge at) const {
   const End from = start_of(at), to = end_of(at);
   return sample_between(*soup_, at.segment, {cut_of(*soup_, from.end), from.t, from.error},
                         {cut_of(*soup_, to.end), to.t, to.error});

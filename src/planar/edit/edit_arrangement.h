@@ -19,9 +19,9 @@
 namespace dymsum::planar {
 
 /// The k-th sub-edge of a segment: it ends at the segment's k-th event, or at its end.
-struct SubEdge {
+struct LiveSubEdge {
   std::uint32_t segment = kNone, k = 0;
-  friend bool operator==(const SubEdge&, const SubEdge&) = default;
+  friend bool operator==(const LiveSubEdge&, const LiveSubEdge&) = default;
 };
 
 /// An event of a segment by its id, which stays while the event does; or an end of the segment.
@@ -35,7 +35,7 @@ struct EventName {
 /// All that meets at a position where more happens than two segments crossing.
 struct EditNode {
   struct Ray {
-    SubEdge sub;
+    LiveSubEdge sub;
     bool out = false;
   };
   std::vector<Ray> rays;
@@ -45,9 +45,9 @@ struct EditNode {
 
 /// How the boundary goes on at a node: links from sub-edges that arrive to those that leave; and sub-edges that leave
 /// and are covered from both sides.
-struct NodeLinks {
-  std::vector<std::pair<SubEdge, SubEdge>> links;
-  std::vector<SubEdge> cracks;
+struct LiveNodeLinks {
+  std::vector<std::pair<LiveSubEdge, LiveSubEdge>> links;
+  std::vector<LiveSubEdge> cracks;
 };
 
 class EditArrangement {
@@ -77,35 +77,37 @@ class EditArrangement {
   const ReducedConvolution& convolution() const { return *convolution_; }
 
   std::uint32_t event_count(std::uint32_t s) const { return static_cast<std::uint32_t>(slots_[s].events.size()); }
-  std::uint32_t mark(SubEdge at) const { return slots_[at.segment].marks[at.k]; }
-  void set_mark(SubEdge at, std::uint32_t mark) { slots_[at.segment].marks[at.k] = mark; }
+  std::uint32_t mark(LiveSubEdge at) const { return slots_[at.segment].marks[at.k]; }
+  void set_mark(LiveSubEdge at, std::uint32_t mark) { slots_[at.segment].marks[at.k] = mark; }
   /// The sub-edge that starts at an event, or kNone where that is gone.
-  SubEdge sub_from(EventName start) const;
-  EventName start_name(SubEdge at) const {
+  LiveSubEdge sub_from(EventName start) const;
+  EventName start_name(LiveSubEdge at) const {
     return {at.segment, at.k == 0 ? EventName::kStart : slots_[at.segment].events[at.k - 1].id};
   }
-  bool ends_segment(SubEdge at) const { return at.k == event_count(at.segment); }
+  bool ends_segment(LiveSubEdge at) const { return at.k == event_count(at.segment); }
   /// What bounds a sub-edge, its parameter and the parameter's error.
   struct End {
     SubEnd end;
     double t = 0, error = 0;
   };
-  End start_of(SubEdge at) const { return at.k == 0 ? segment_end(at.segment, 0) : event_end(at.segment, at.k - 1); }
-  End end_of(SubEdge at) const {
+  End start_of(LiveSubEdge at) const {
+    return at.k == 0 ? segment_end(at.segment, 0) : event_end(at.segment, at.k - 1);
+  }
+  End end_of(LiveSubEdge at) const {
     return ends_segment(at) ? segment_end(at.segment, 1) : event_end(at.segment, at.k);
   }
   SegmentPosition position(const End& end, std::uint32_t segment) const {
     return position_of_cut(*soup_, segment, cut_of(*soup_, end.end), end.t, end.error);
   }
-  SegmentPosition sample(SubEdge at) const;
+  SegmentPosition sample(LiveSubEdge at) const;
 
   /// Where the boundary goes on after a sub-edge; kNone where it does not.
-  SubEdge next(SubEdge at);
+  LiveSubEdge next(LiveSubEdge at);
   /// The node at which a sub-edge ends, if it ends at one.
-  std::optional<EditNode> end_node(SubEdge at) const;
+  std::optional<EditNode> end_node(LiveSubEdge at) const;
   /// The node at a named position, if it still is one.
   std::optional<EditNode> node_at(EventName name) const;
-  NodeLinks links_of(const EditNode& node) const;
+  LiveNodeLinks links_of(const EditNode& node) const;
   SegmentPosition position_of(EventName name) const;
 
   // What the last edit changed.
@@ -243,7 +245,7 @@ class EditArrangement {
   std::vector<std::uint32_t> free_touches_;
   std::unordered_map<std::uint64_t, PairMeetings> pairs_;
 
-  std::unordered_map<std::uint64_t, SubEdge> links_;  // of nodes that were looked at since the last change
+  std::unordered_map<std::uint64_t, LiveSubEdge> links_;  // of nodes that were looked at since the last change
   std::vector<std::uint32_t> broken_, fresh_;
   std::vector<EventName> unsettled_;
   std::vector<std::uint64_t> old_nodes_;

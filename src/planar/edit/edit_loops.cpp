@@ -8,13 +8,13 @@
 namespace dymsum::planar {
 namespace {
 
-double length_of(const EditArrangement& a, SubEdge at) {
+double length_of(const EditArrangement& a, LiveSubEdge at) {
   const Soup& soup = a.soup();
   return (a.end_of(at).t - a.start_of(at).t) * (std::abs(soup.dx(at.segment)) + std::abs(soup.dy(at.segment)));
 }
 
 // The covered cell that holds a sub-edge's midpoint, if it provably has one.
-std::optional<GridCell> covered_midpoint(const EditArrangement& a, SubEdge at, const CountedCover& cover) {
+std::optional<GridCell> covered_midpoint(const EditArrangement& a, LiveSubEdge at, const CountedCover& cover) {
   const EditArrangement::End from = a.start_of(at), to = a.end_of(at);
   const double t = 0.5 * (from.t + to.t);
   if (!(t - from.t > from.error + kFractionRoundings && to.t - t > to.error + kFractionRoundings)) return std::nullopt;
@@ -38,7 +38,7 @@ void rename_proof(CoverProof& proof, const std::array<WalkChanges, 2>& walks) {
 void EditLoops::rename(const std::array<WalkChanges, 2>& walks) {
   for (auto& [id, cycle] : cycles_) rename_proof(cycle.cover, walks);
   for (auto& [key, candidates] : nodes_)
-    for (TightCandidate& candidate : candidates) rename_proof(candidate.cover, walks);
+    for (TightSuspect& candidate : candidates) rename_proof(candidate.cover, walks);
 }
 
 void EditLoops::break_cycles(EditArrangement& arrangement) {
@@ -90,11 +90,11 @@ void EditLoops::lose(EditCycle& cycle) {
   cycle.identity = 0;
 }
 
-void EditLoops::walk(EditArrangement& arrangement, SubEdge start) {
+void EditLoops::walk(EditArrangement& arrangement, LiveSubEdge start) {
   const std::uint32_t id = next_mark_++;
-  std::vector<SubEdge> path;
+  std::vector<LiveSubEdge> path;
   std::vector<std::uint32_t> marks;
-  SubEdge at = start;
+  LiveSubEdge at = start;
   std::uint32_t known_dead = EditArrangement::kNoCycle;
   do {
     const std::uint32_t mark = arrangement.mark(at);
@@ -111,13 +111,13 @@ void EditLoops::walk(EditArrangement& arrangement, SubEdge start) {
   if (at.segment != kNone && at == start && !path.empty()) close(arrangement, id, path, marks);
 }
 
-void EditLoops::close(EditArrangement& arrangement, std::uint32_t id, std::vector<SubEdge>& path,
+void EditLoops::close(EditArrangement& arrangement, std::uint32_t id, std::vector<LiveSubEdge>& path,
                       const std::vector<std::uint32_t>& marks) {
   ++work_.traced;
   EditCycle& cycle = cycles_[id];
   Array<Step> steps;
   steps.reserve(path.size());
-  for (const SubEdge& at : path) steps.push_back({at.k, at.segment});
+  for (const LiveSubEdge& at : path) steps.push_back({at.k, at.segment});
   cycle.turning = turning_number(arrangement.soup(), steps);
   Undecided undecided{id, {}, {}};
   double best = -1, best_kept = -1;
@@ -180,7 +180,7 @@ void EditLoops::decide(EditArrangement& arrangement, const NewOverlap* anew, con
     }
     const bool before = u.was_kept.segment != kNone && anew != nullptr;
     if (before) cycle.sample = u.was_kept;
-    const SubEdge at = arrangement.sub_from(cycle.sample);
+    const LiveSubEdge at = arrangement.sub_from(cycle.sample);
     if (const auto cell = covered_midpoint(arrangement, at, cover)) {
       cycle.cover.cell = cell;
       continue;
@@ -202,12 +202,12 @@ void EditLoops::decide(EditArrangement& arrangement, const NewOverlap* anew, con
 void EditLoops::update_nodes(EditArrangement& arrangement) {
   for (const std::uint64_t key : arrangement.take_old_nodes()) nodes_.erase(key);
   for (const EditNode& node : arrangement.take_new_nodes()) {
-    std::vector<TightCandidate>& list = nodes_[node.key];
+    std::vector<TightSuspect>& list = nodes_[node.key];
     list.clear();
-    list.push_back({{static_cast<std::uint32_t>(node.key >> 32), static_cast<std::uint32_t>(node.key)}, false, false, {}});
-    const NodeLinks links = arrangement.links_of(node);
-    for (const SubEdge& crack : links.cracks)
-      list.push_back({arrangement.start_name(crack), true, false, {}});
+    list.push_back(
+        {{static_cast<std::uint32_t>(node.key >> 32), static_cast<std::uint32_t>(node.key)}, false, false, {}});
+    const LiveNodeLinks links = arrangement.links_of(node);
+    for (const LiveSubEdge& crack : links.cracks) list.push_back({arrangement.start_name(crack), true, false, {}});
   }
 }
 
@@ -237,7 +237,7 @@ bool EditLoops::degenerate(EditArrangement& arrangement, const CountedCover& cov
         if (++visits[key] > 1) return true;
   if (!tight) return false;
   for (auto& [key, candidates] : nodes_)
-    for (TightCandidate& candidate : candidates) {
+    for (TightSuspect& candidate : candidates) {
       if (candidate.covered && still_covered(candidate.cover, cover)) continue;
       if (!candidate.crack && visits.count(key) != 0) continue;
       const SegmentPosition x = candidate.crack ? arrangement.sample(arrangement.sub_from(candidate.at))
@@ -249,10 +249,10 @@ bool EditLoops::degenerate(EditArrangement& arrangement, const CountedCover& cov
   return false;
 }
 
-std::vector<SubEdge> EditLoops::steps_of(EditArrangement& arrangement, const EditCycle& cycle) const {
-  std::vector<SubEdge> steps;
-  const SubEdge start = arrangement.sub_from(cycle.sample);
-  SubEdge at = start;
+std::vector<LiveSubEdge> EditLoops::steps_of(EditArrangement& arrangement, const EditCycle& cycle) const {
+  std::vector<LiveSubEdge> steps;
+  const LiveSubEdge start = arrangement.sub_from(cycle.sample);
+  LiveSubEdge at = start;
   do {
     steps.push_back(at);
     at = arrangement.next(at);

@@ -24,17 +24,17 @@ struct CoverProof {
 /// A cycle of the successor map.
 struct EditCycle {
   int turning = 0;
-  bool kept = false;               ///< it bounds the sum
-  EventName sample;                ///< where a sub-edge of it starts
-  CoverProof cover;                ///< of one that is not kept
+  bool kept = false;                 ///< it bounds the sum
+  EventName sample;                  ///< where a sub-edge of it starts
+  CoverProof cover;                  ///< of one that is not kept
   std::vector<std::uint64_t> nodes;  ///< that it comes to, by their keys
-  std::uint64_t identity = 0;      ///< of its ring, 0: not yet given
-  std::optional<SumRing> ring;     ///< of a kept one
-  double ring_error = 0;           ///< of its positions, in units of the lattice
+  std::uint64_t identity = 0;        ///< of its ring, 0: not yet given
+  std::optional<SumRing> ring;       ///< of a kept one
+  double ring_error = 0;             ///< of its positions, in units of the lattice
 };
 
 /// A position that may be a tight feature: a node, or a sub-edge that is covered from both sides.
-struct TightCandidate {
+struct TightSuspect {
   EventName at;
   bool crack = false;
   bool covered = false;
@@ -64,7 +64,7 @@ class EditLoops {
 
   bool has_nodes() const { return !nodes_.empty(); }
   /// The sub-edges of a cycle.
-  std::vector<SubEdge> steps_of(EditArrangement& arrangement, const EditCycle& cycle) const;
+  std::vector<LiveSubEdge> steps_of(EditArrangement& arrangement, const EditCycle& cycle) const;
 
   struct Work {
     std::uint64_t traced = 0, kept = 0, witnessed = 0, tests = 0;
@@ -79,8 +79,8 @@ class EditLoops {
   void uncover_outer(EditArrangement& arrangement, const NewOverlap& anew, Collision& collision);
   void lose(EditCycle& cycle);
   void trace(EditArrangement& arrangement);
-  void walk(EditArrangement& arrangement, SubEdge start);
-  void close(EditArrangement& arrangement, std::uint32_t id, std::vector<SubEdge>& path,
+  void walk(EditArrangement& arrangement, LiveSubEdge start);
+  void close(EditArrangement& arrangement, std::uint32_t id, std::vector<LiveSubEdge>& path,
              const std::vector<std::uint32_t>& marks);
   void decide(EditArrangement& arrangement, const NewOverlap* anew, const CountedCover& cover, Collision& collision);
   bool covered_anew(const SegmentPosition& x, const NewOverlap& anew, Collision& collision);
@@ -97,7 +97,7 @@ class EditLoops {
   std::unordered_map<std::uint32_t, EditCycle> cycles_, broken_;
   std::vector<EditCycle> lost_;
   std::vector<Undecided> undecided_;
-  std::unordered_map<std::uint64_t, std::vector<TightCandidate>> nodes_;
+  std::unordered_map<std::uint64_t, std::vector<TightSuspect>> nodes_;
   std::uint32_t next_mark_ = EditArrangement::kFirstCycle, first_mark_ = EditArrangement::kFirstCycle;
   Work work_;
 };

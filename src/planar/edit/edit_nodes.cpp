@@ -105,7 +105,7 @@ std::optional<EditNode> EditArrangement::node_at(EventName name) const {
   return node_of(found);
 }
 
-std::optional<EditNode> EditArrangement::end_node(SubEdge at) const {
+std::optional<EditNode> EditArrangement::end_node(LiveSubEdge at) const {
   const Slot& slot = slots_[at.segment];
   if (ends_segment(at)) {
     if (!slot.end_node) return std::nullopt;
@@ -160,7 +160,7 @@ void EditArrangement::settle_nodes() {
 
 // Links. A sector between two neighbouring directions is free unless something leaves along the first or arrives along
 // the second; the boundary comes in along the first and goes out along the second.
-NodeLinks EditArrangement::links_of(const EditNode& node) const {
+LiveNodeLinks EditArrangement::links_of(const EditNode& node) const {
   std::vector<EditNode::Ray> rays = node.rays;
   const auto upper = [&](const EditNode::Ray& r) {
     const SoupBox& b = soup_->boxes[r.sub.segment];
@@ -192,7 +192,7 @@ NodeLinks EditArrangement::links_of(const EditNode& node) const {
     groups.push_back(g);
     i = g.end;
   }
-  NodeLinks out;
+  LiveNodeLinks out;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group &from = groups[g], &to = groups[g + 1 == groups.size() ? 0 : g + 1];
     if (from.left && from.right)
@@ -208,31 +208,30 @@ NodeLinks EditArrangement::links_of(const EditNode& node) const {
 }
 
 // A step of the boundary.
-SubEdge EditArrangement::next(SubEdge at) {
+LiveSubEdge EditArrangement::next(LiveSubEdge at) {
   const std::uint32_t s = at.segment;
   const Slot& slot = slots_[s];
   const bool last = ends_segment(at);
   const bool plain = last ? !slot.end_node : !(slot.events[at.k].id & kTouchBit) && !degenerate(s, at.k);
   if (plain && last) {
     const std::uint32_t n = chain_.links()[s];
-    return n == kNone ? SubEdge{} : SubEdge{n, 0};
+    return n == kNone ? LiveSubEdge{} : LiveSubEdge{n, 0};
   }
   if (plain) {
     const std::uint32_t id = slot.events[at.k].id, a = crossings_[id].a;
-    return a == s ? SubEdge{} : SubEdge{a, index_of(a, id) + 1};
+    return a == s ? LiveSubEdge{} : LiveSubEdge{a, index_of(a, id) + 1};
   }
   const std::uint64_t in = std::uint64_t{s} << 32 | at.k;
   if (const auto it = links_.find(in); it != links_.end()) return it->second;
   const std::optional<EditNode> node = end_node(at);
   if (!node) {  // an end that was at a node
     const std::uint32_t n = chain_.links()[s];
-    return links_[in] = n == kNone ? SubEdge{} : SubEdge{n, 0};
+    return links_[in] = n == kNone ? LiveSubEdge{} : LiveSubEdge{n, 0};
   }
   for (const EditNode::Ray& ray : node->rays)
     if (!ray.out) links_[std::uint64_t{ray.sub.segment} << 32 | ray.sub.k] = {};
-  const NodeLinks links = links_of(*node);
-  for (const auto& [from, to] : links.links)
-    links_[std::uint64_t{from.segment} << 32 | from.k] = to;
+  const LiveNodeLinks links = links_of(*node);
+  for (const auto& [from, to] : links.links) links_[std::uint64_t{from.segment} << 32 | from.k] = to;
   return links_[in];
 }
 

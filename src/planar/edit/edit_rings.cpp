@@ -7,7 +7,7 @@
 
 namespace dymsum::planar {
 
-SumRing ring_of_steps(const EditArrangement& arrangement, std::span<const SubEdge> steps, const ExactSource& source,
+SumRing ring_of_steps(const EditArrangement& arrangement, std::span<const LiveSubEdge> steps, const ExactSource& source,
                       double& error) {
   const Soup& soup = arrangement.soup();
   SumPart part;
@@ -16,7 +16,7 @@ SumRing ring_of_steps(const EditArrangement& arrangement, std::span<const SubEdg
   const std::size_t n = steps.size();
   double worst = error;
   for (std::size_t i = 0; i < n; ++i) {
-    const SubEdge at = steps[i];
+    const LiveSubEdge at = steps[i];
     const std::uint32_t s = at.segment, next = steps[i + 1 == n ? 0 : i + 1].segment;
     if (s == next || soup.cross(s, next) == 0) continue;  // straight on
     const EditArrangement::End end = arrangement.end_of(at);

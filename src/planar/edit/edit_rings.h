@@ -10,7 +10,7 @@ namespace dymsum::planar {
 
 /// The ring of a cycle, with collinear steps merged, from its smallest vertex on; grows `error` to the largest error of
 /// a position, in units of the lattice. The vertices are those of a sum from scratch.
-SumRing ring_of_steps(const EditArrangement& arrangement, std::span<const SubEdge> steps, const ExactSource& source,
+SumRing ring_of_steps(const EditArrangement& arrangement, std::span<const LiveSubEdge> steps, const ExactSource& source,
                       double& error);
 
 /// The vertices of a ring in the indices after an edit. Requires: all features of the ring are still there.

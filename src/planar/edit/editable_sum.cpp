@@ -96,7 +96,9 @@ class EditableSum::State {
     }
   }
 
-  Result<FrameChanges> start() { return timed([&] { return sum_.start({{&region(0), &region(1)}, {}}); }); }
+  Result<FrameChanges> start() {
+    return timed([&] { return sum_.start({{&region(0), &region(1)}, {}}); });
+  }
 
   Result<FrameChanges> edit(std::span<const Edit> edits) {
     return timed([&]() -> Result<FrameChanges> {
@@ -117,8 +119,7 @@ class EditableSum::State {
       const MadeStep& step = done_.back();
       std::array<VertexOrigins, 2> origins;
       for (std::size_t op = 0; op < 2; ++op)
-        if (step.before[op] != step.after[op])
-          origins[op] = reversed(step.origins[op], step.before[op]->names.size());
+        if (step.before[op] != step.after[op]) origins[op] = reversed(step.origins[op], step.before[op]->names.size());
       Result<FrameChanges> changes = go(step.before, origins);
       if (!changes) return changes;
       undone_.push_back(std::move(done_.back()));

@@ -33,8 +33,7 @@ ChainPosition find_vertex(RegionData& data, std::uint32_t vertex) {
   std::size_t chain_index = 0;
   for_each_chain(data, [&](std::vector<Point>& chain) {
     const auto n = static_cast<std::uint32_t>(chain.size());
-    if (found.chain == nullptr && vertex < first + n)
-      found = {&chain, vertex - first, first, chain_index < rings};
+    if (found.chain == nullptr && vertex < first + n) found = {&chain, vertex - first, first, chain_index < rings};
     first += n;
     ++chain_index;
   });
@@ -172,10 +171,16 @@ namespace {
 class NewEdges {
  public:
   NewEdges(const RegionData& before, const EditedData& edited) : edited_(edited) {
-    for_each_chain(before, [&](const std::vector<Point>& chain) { old_.insert(old_.end(), chain.begin(), chain.end()); });
+    for_each_chain(before,
+                   [&](const std::vector<Point>& chain) { old_.insert(old_.end(), chain.begin(), chain.end()); });
     add_rings(before, old_first_);
     add_rings(edited.data, first_);
-    for_each_chain(edited.data, [&](const std::vector<Point>& chain) { now_.insert(now_.end(), chain.begin(), chain.end()); });
+    for (const Part& part : edited.data.parts) {
+      outer_.push_back(true);
+      outer_.insert(outer_.end(), part.holes.size(), false);
+    }
+    for_each_chain(edited.data,
+                   [&](const std::vector<Point>& chain) { now_.insert(now_.end(), chain.begin(), chain.end()); });
   }
 
   /// Whether the edited data are provably valid, as those before were.
@@ -245,8 +250,8 @@ class NewEdges {
       std::uint32_t f = first_[s + 1] - 1;
       for (std::uint32_t v = first_[s]; v < first_[s + 1]; ++v) {
         const Point d = now_[v];
-        const bool far = std::max(c.x, d.x) < x0 || std::min(c.x, d.x) > x1 || std::max(c.y, d.y) < y0 ||
-                         std::min(c.y, d.y) > y1;
+        const bool far =
+            std::max(c.x, d.x) < x0 || std::min(c.x, d.x) > x1 || std::max(c.y, d.y) < y0 || std::min(c.y, d.y) > y1;
         if (!far && f != e && f != before && f != n && !one_side(a, b, c, d) && !one_side(c, d, a, b)) return false;
         c = d;
         f = v;
@@ -269,7 +274,7 @@ class NewEdges {
   // it: one vertex of each that did not move is inside as before.
   bool keeps_its_side(std::size_t r) const {
     if (still_[r] == kNone) return false;
-    if (counter_clockwise(now_, first_, r) != counter_clockwise(old_, old_first_, r)) return false;
+    if (counter_clockwise(now_, first_, r) != outer_[r]) return false;
     for (std::size_t s = 0; s + 1 < first_.size(); ++s) {
       if (s == r) continue;
       if (still_[s] == kNone) return false;
@@ -305,6 +310,7 @@ class NewEdges {
   std::vector<std::uint32_t> new_;
   std::vector<std::size_t> ring_of_new_;
   std::vector<std::uint8_t> changed_;
+  std::vector<bool> outer_;
   std::vector<std::uint32_t> still_;  // a vertex of each ring that did not move
   std::vector<std::pair<std::size_t, std::uint32_t>> gone_;
 };

@@ -20,8 +20,8 @@ struct EditedData {
 Result<void> apply(const Edit& edit, EditedData& edited);
 
 /// The region of edited data. Where rings of one valid region without touching points and polylines changed, only edges
-/// that are new are compared with the others: O(n) for each; what they do not prove, Region::create decides. Errors: its
-/// errors.
+/// that are new are compared with the others: O(n) for each; what they do not prove, Region::create decides. Errors:
+/// its errors.
 Result<Region> edited_region(const Region& before, EditedData edited);
 
 }  // namespace dymsum::planar

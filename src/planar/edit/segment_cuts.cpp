@@ -77,7 +77,7 @@ SegmentPosition position_of_cut(const Soup& soup, std::uint32_t s, const Cut& cu
   return p;
 }
 
-SegmentPosition sample_between(const Soup& soup, std::uint32_t s, const PlacedCut& from, const PlacedCut& to) {
+SegmentPosition sample_between(const Soup& soup, std::uint32_t s, const CutOnSegment& from, const CutOnSegment& to) {
   double error_from = 0, error_to = 0;
   const double d0 = denominator(soup, s, from.cut, error_from), d1 = denominator(soup, s, to.cut, error_to);
   double weight = d0 + d1 > 0 ? d1 / (d0 + d1) : 0.5;

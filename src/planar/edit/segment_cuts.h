@@ -17,11 +17,11 @@ int compare_cuts(const Soup& soup, std::uint32_t s, const SubEnd& a, const SubEn
 SegmentPosition position_of_cut(const Soup& soup, std::uint32_t s, const Cut& cut, double t, double t_error);
 
 /// A cut with its parameter.
-struct PlacedCut {
+struct CutOnSegment {
   Cut cut;
   double t = 0, error = 0;
 };
 /// The mediant of two cuts of s, the first of which comes first: a position strictly between them.
-SegmentPosition sample_between(const Soup& soup, std::uint32_t s, const PlacedCut& from, const PlacedCut& to);
+SegmentPosition sample_between(const Soup& soup, std::uint32_t s, const CutOnSegment& from, const CutOnSegment& to);
 
 }  // namespace dymsum::planar

@@ -4,6 +4,7 @@
 
 #include "planar/boundary/boundary.h"
 #include "planar/edit/edit_rings.h"
+#include "planar/edit/moved_operand.h"
 #include "planar/result/planar_sum.h"
 #include "planar/sum/minkowski_sum.h"
 
@@ -53,8 +54,14 @@ Result<PlacedPair> EditedSum::place(const Step& step) const {
   for (std::uint32_t op = 0; op < 2; ++op)
     if (own[op] == nullptr || step.origins[op] != nullptr) {
       const Region& region = *step.regions[op];
-      own[op] = make_operand(separate_touching(region.data(), region.touching_points()), op,
-                             op == 1 && options_.reflect_q);
+      if (own[op] != nullptr && arrangement_ != nullptr) {
+        if (auto moved = moved_operand(*own[op], region, *step.origins[op])) {
+          own[op] = std::move(moved);
+          continue;
+        }
+      }
+      own[op] =
+          make_operand(separate_touching(region.data(), region.touching_points()), op, op == 1 && options_.reflect_q);
       if (std::optional<Error> error = too_large(*own[op])) return *std::move(error);
     }
   PlacedPair placed;
@@ -74,8 +81,8 @@ bool EditedSum::can_keep(const PlacedPair& placed, const Step& step) const {
 bool EditedSum::same_numbers(const PlacedPair& placed) const {
   const Lattice &a = *placed_.lattice, &b = *placed.lattice;
   const auto same = [](const PlacedPoints& x, const PlacedPoints& y) { return x.offset == y.offset; };
-  return a.unit == b.unit && a.span == b.span && a.exact_doubles == b.exact_doubles && same(*a.points[0], *b.points[0]) &&
-         same(*a.points[1], *b.points[1]) && cover_->holds(*placed.p, *placed.q);
+  return a.unit == b.unit && a.span == b.span && a.exact_doubles == b.exact_doubles &&
+         same(*a.points[0], *b.points[0]) && same(*a.points[1], *b.points[1]) && cover_->holds(*placed.p, *placed.q);
 }
 
 // Per loop and component of the other operand: whether that fills it.
@@ -204,8 +211,7 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step, std::array<W
   take_rings_back(walks);
   auto convolution = std::make_unique<ReducedConvolution>(*placed.lattice, *placed.p, *placed.q);
   arrangement_->remove_changed(walks, *convolution);
-  const std::vector<GridCell> uncovered =
-      cover_->update(placed_, placed, walks);
+  const std::vector<GridCell> uncovered = cover_->update(placed_, placed, walks);
   arrangement_->rename(placed, *convolution, walks);
   arrangement_->add_changed(walks, *convolution_, uncovered);
   for (std::uint32_t op = 0; op < 2; ++op) filled_[op] = filled_loops(placed, op);
@@ -262,7 +268,8 @@ std::vector<std::uint64_t> EditedSum::rings_before(PlanarSum& rings) const {
   return ids;
 }
 
-// The sum of the kept cycles. Rings that are not made yet are made; identities go from the rings that were lost to these.
+// The sum of the kept cycles. Rings that are not made yet are made; identities go from the rings that were lost to
+// these.
 FrameChanges EditedSum::assemble() {
   const auto source = std::make_shared<SumSource>(placed_.lattice, placed_.p, placed_.q);
   PlanarSum lost, made;
@@ -300,7 +307,8 @@ FrameChanges EditedSum::assemble() {
   sum_ = PlanarSum{};
   exact_source(sum_) = source;
   sum_.at_error = input_error(*placed_.lattice, error);
-  const std::vector<std::size_t> order = rings.empty() ? std::vector<std::size_t>{} : place_rings(std::move(rings), outer, sum_);
+  const std::vector<std::size_t> order =
+      rings.empty() ? std::vector<std::size_t>{} : place_rings(std::move(rings), outer, sum_);
   cycles_.clear();
   ring_ids_.clear();
   for (const std::size_t i : order) {

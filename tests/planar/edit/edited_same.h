@@ -95,8 +95,7 @@ inline Edit random_edit(oracles::Random& random, const EditableSum& sum, const R
   const Point a = near(random, reach, at), b = near(random, reach, at), c = near(random, reach, at);
   const bool left = (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);
   if (kind < 91) return Edit::add_hole(operand, part, left ? Ring{a, c, b} : Ring{a, b, c});
-  if (kind < 94)
-    return Edit::remove_hole(operand, part, static_cast<std::uint32_t>(random.below(3)));
+  if (kind < 94) return Edit::remove_hole(operand, part, static_cast<std::uint32_t>(random.below(3)));
   if (kind < 98) return Edit::add_part(operand, {left ? Ring{a, b, c} : Ring{a, c, b}, {}});
   return Edit::remove_part(operand, part);
 }
