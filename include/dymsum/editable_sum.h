@@ -18,7 +18,7 @@
 
 namespace dymsum {
 
-/// What is done to a region. Vertices have the indices of Region, at the time at which the edit's turn comes.
+/// What is done to a region. Vertices have the indices of Region, after the edits before this one.
 enum class EditKind : std::uint8_t {
   move,         ///< a vertex to another position
   insert,       ///< a vertex into the edge that starts at another one
@@ -62,7 +62,7 @@ struct EditOptions {
   FrameMode mode = FrameMode::automatic;
   std::size_t undo_steps = 1000;  ///< that are kept, with the regions before each
   ForcedTier forced_tier;
-  Progress progress;  ///< asked in steps that are made from scratch, see progress.h
+  Progress progress;  ///< called in steps that are made from scratch, see progress.h
 };
 
 /// The work of one step.
@@ -94,7 +94,7 @@ class EditableSum {
   /// Makes all edits, one after the other, as one step. On an error nothing changes: out_of_range for a vertex, part or
   /// hole that there is not, or a vertex that its ring needs; those of Region::create, with its evidence in the indices
   /// of the region that the edits would make; cancelled. Cost: O(n + m) for n and m vertices, and what the segments
-  /// of the edges that change meet. Tells what became of the rings.
+  /// of the edges that change meet. Reports what became of the rings.
   Result<FrameChanges> edit(std::span<const Edit> edits);
   Result<FrameChanges> edit(const Edit& one) { return edit(std::span<const Edit>(&one, 1)); }
   /// Back to the state before the last step that was not undone, and forward again. Error out_of_range where there is

@@ -33,7 +33,7 @@ void for_each_run(const Bitmap& map, F&& f) {
 // More changed cells than this are counted anew from all runs.
 constexpr std::uint64_t kFewCells = 400;
 
-// counts += the number of ways in which a cell is a sum of one of each. Runs of lengths k and l make a trapezoid,
+// counts += the number of pairs of one of each whose sum a cell is. Runs of lengths k and l make a trapezoid,
 // whose second differences are four numbers.
 void add_counts(std::vector<std::int32_t>& counts, const Grid& grid, const Bitmap& a, const Bitmap& b) {
   const std::size_t width = static_cast<std::size_t>(grid.columns) + 2;

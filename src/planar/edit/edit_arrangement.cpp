@@ -215,7 +215,7 @@ bool EditArrangement::stays(std::uint32_t s, const std::array<WalkChanges, 2>& c
   const WalkSegment w = name(s);
   const std::uint32_t edge = changes[w.side].edge_after(w.edge), vertex = changes[1 - w.side].after(w.vertex);
   if (edge == kNone || vertex == kNone) return false;
-  return changes[1 - w.side].turn_stays(vertex) || after.find(w.side, edge, vertex) != kNoRank;
+  return changes[1 - w.side].corner_stays(vertex) || after.find(w.side, edge, vertex) != kNoRank;
 }
 
 void EditArrangement::remove_changed(const std::array<WalkChanges, 2>& changes, const ReducedConvolution& after) {
@@ -257,8 +257,8 @@ void EditArrangement::rename(const PlacedPair& placed, const ReducedConvolution&
 }
 
 // Segments of a vertex that meets other edges than before, with the edges that were there before.
-void EditArrangement::add_turn(std::uint32_t side, std::uint32_t v, const std::array<WalkChanges, 2>& changes,
-                               const ReducedConvolution& before) {
+void EditArrangement::add_corner(std::uint32_t side, std::uint32_t v, const std::array<WalkChanges, 2>& changes,
+                                 const ReducedConvolution& before) {
   const std::uint32_t was = changes[1 - side].before(v);
   const Operand& o = *soup_->operands[side];
   for (std::uint32_t e = 0; e < o.size(); ++e) {
@@ -273,7 +273,7 @@ void EditArrangement::add_turn(std::uint32_t side, std::uint32_t v, const std::a
 void EditArrangement::add_changed(const std::array<WalkChanges, 2>& changes, const ReducedConvolution& before,
                                   std::span<const GridCell> uncovered) {
   for (std::uint32_t side = 0; side < 2; ++side) {
-    for (const std::uint32_t v : changes[1 - side].turned()) add_turn(side, v, changes, before);
+    for (const std::uint32_t v : changes[1 - side].turned()) add_corner(side, v, changes, before);
     for (const std::uint32_t e : changes[side].new_edges())
       for (std::uint32_t v = 0; v < soup_->operands[1 - side]->size(); ++v) {
         if (convolution_->find(side, e, v) == kNoRank) continue;

@@ -179,8 +179,8 @@ class EditArrangement {
   void set_next(std::uint32_t s, std::uint32_t next);
   bool stays(std::uint32_t s, const std::array<WalkChanges, 2>& changes, const ReducedConvolution& after) const;
   bool has_live_cell(const SoupBox& box) const;
-  void add_turn(std::uint32_t side, std::uint32_t vertex, const std::array<WalkChanges, 2>& changes,
-                const ReducedConvolution& before);
+  void add_corner(std::uint32_t side, std::uint32_t vertex, const std::array<WalkChanges, 2>& changes,
+                  const ReducedConvolution& before);
   void open_cells(std::span<const GridCell> cells);
   template <class F>
   void for_each_cell(const SoupBox& b, F&& f) const;

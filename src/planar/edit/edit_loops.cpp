@@ -98,7 +98,7 @@ void EditLoops::walk(EditArrangement& arrangement, LiveSubEdge start) {
   std::uint32_t known_dead = EditArrangement::kNoCycle;
   do {
     const std::uint32_t mark = arrangement.mark(at);
-    if (mark >= first_mark_) break;  // a walk of this update came this way
+    if (mark >= first_mark_) break;  // a walk of this update passed here
     if (mark >= EditArrangement::kFirstCycle && mark != known_dead) {
       if (alive(mark)) break;
       known_dead = mark;

@@ -14,7 +14,7 @@ class MovedOperand {
   MovedOperand(const Operand& before, const Region& after) : before_(before), after_(after) {}
 
   std::shared_ptr<const Operand> made() {
-    if (!applies() || !place_points()) return nullptr;
+    if (!applies() || !move_points()) return nullptr;
     made_ = std::make_shared<Operand>(before_);
     made_->points = points_;
     for (const std::uint32_t v : moved_) {  // every vertex is its own walk vertex
@@ -24,9 +24,9 @@ class MovedOperand {
     }
     const OwnEdges own(*points_);
     for (const std::uint32_t w : turned_) {
-      const int turn = own.cross(before_.edge(before_.prev[w]), before_.edge(w));
-      if (turn == 0) return nullptr;
-      made_->convex[w] = turn > 0;
+      const int sense = own.cross(before_.edge(before_.prev[w]), before_.edge(w));
+      if (sense == 0) return nullptr;
+      made_->convex[w] = sense > 0;
     }
     move_edges(own);
     for (Loop& loop : made_->loops) find_extremes(loop);
@@ -51,7 +51,7 @@ class MovedOperand {
   }
 
   // False where the bounding box is another one.
-  bool place_points() {
+  bool move_points() {
     const PlacedPoints& was = *before_.points;
     const std::vector<Point>& input = was.input;
     Point low = was.offset, high = {was.offset.x, was.offset.y};
@@ -138,8 +138,8 @@ class MovedOperand {
       if (a.key > b.key + kAngleError) return false;
       const int half_a = half_plane(o.ex[a.edge], o.ey[a.edge]), half_b = half_plane(o.ex[b.edge], o.ey[b.edge]);
       if (half_a != half_b) return half_a < half_b;
-      const int turn = own.cross(o.edge(a.edge), o.edge(b.edge));
-      return turn != 0 ? turn > 0 : a.edge < b.edge;
+      const int sense = own.cross(o.edge(a.edge), o.edge(b.edge));
+      return sense != 0 ? sense > 0 : a.edge < b.edge;
     };
     std::sort(changed.begin(), changed.end(), before);
     std::vector<Item> others;

@@ -17,7 +17,7 @@ Error out_of_range(std::string message) { return {ErrorCode::out_of_range, std::
 
 std::string text(std::uint32_t n) { return std::to_string(n); }
 
-// The chain of a vertex, with its place there and the index of the chain's first vertex.
+// The chain of a vertex, with its position there and the index of the chain's first vertex.
 struct ChainPosition {
   std::vector<Point>* chain = nullptr;
   std::size_t at = 0;

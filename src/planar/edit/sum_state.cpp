@@ -1,6 +1,7 @@
 #include "planar/edit/sum_state.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "planar/boundary/boundary.h"
 #include "planar/edit/edit_rings.h"
@@ -49,7 +50,7 @@ SumOptions EditedSum::sum_options(bool asking) const {
   return options;
 }
 
-Result<PlacedPair> EditedSum::place(const Step& step) const {
+Result<PlacedPair> EditedSum::placed_pair(const Step& step) const {
   std::array<std::shared_ptr<const Operand>, 2> own = own_;
   for (std::uint32_t op = 0; op < 2; ++op)
     if (own[op] == nullptr || step.origins[op] != nullptr) {
@@ -169,13 +170,13 @@ Result<FrameChanges> EditedSum::rebuild(PlacedPair placed, const Step& step) {
 }
 
 Result<FrameChanges> EditedSum::start(const Step& step) {
-  Result<PlacedPair> placed = place(step);
+  Result<PlacedPair> placed = placed_pair(step);
   if (!placed) return placed.error();
   return rebuild(std::move(placed).value(), step);
 }
 
 Result<FrameChanges> EditedSum::follow(const Step& step) {
-  Result<PlacedPair> made = place(step);
+  Result<PlacedPair> made = placed_pair(step);
   if (!made) return made.error();
   PlacedPair placed = std::move(made).value();
   if (arrangement_ == nullptr || !can_keep(placed, step) || !same_numbers(placed) ||
@@ -307,11 +308,14 @@ FrameChanges EditedSum::assemble() {
   sum_ = PlanarSum{};
   exact_source(sum_) = source;
   sum_.at_error = input_error(*placed_.lattice, error);
-  const std::vector<std::size_t> order =
-      rings.empty() ? std::vector<std::size_t>{} : place_rings(std::move(rings), outer, sum_);
+  std::unordered_map<const SumVertex*, std::size_t> index_at;  // rings keep their arrays
+  for (std::size_t i = 0; i < rings.size(); ++i) index_at[rings[i].vertices.data()] = i;
+  sum_.parts = group_rings(std::move(rings), outer, *source, sum_.at_error);
+  canonicalize(sum_.parts, *source, sum_.at_error);
   cycles_.clear();
   ring_ids_.clear();
-  for (const std::size_t i : order) {
+  for (const SumRing* ring : rings_of(sum_)) {
+    const std::size_t i = index_at.at(ring->vertices.data());
     cycles_.push_back(all[i]);
     ring_ids_.push_back(loops_->cycles().at(all[i]).identity);
   }

@@ -35,7 +35,7 @@ class EditedSum {
   EditWork& work() { return work_; }
 
  private:
-  Result<PlacedPair> place(const Step& step) const;
+  Result<PlacedPair> placed_pair(const Step& step) const;
   bool can_keep(const PlacedPair& placed, const Step& step) const;
   bool same_numbers(const PlacedPair& placed) const;
   std::array<WalkChanges, 2> changes_to(const PlacedPair& placed, const Step& step) const;

@@ -30,23 +30,23 @@ void WalkChanges::compare_edges(const Operand& before, const Operand& after) {
   new_edges_.clear();
   turned_.clear();
   edge_stays_.assign(after.size(), 0);
-  turn_stays_.assign(after.size(), 0);
+  corner_stays_.assign(after.size(), 0);
   for (std::uint32_t w = 0; w < after.size(); ++w) {
     const std::uint32_t from = before_[w], to = before_[after.next[w]];
     edge_stays_[w] = from != kNone && to != kNone && before.next[from] == to;
     if (!edge_stays_[w]) new_edges_.push_back(w);
   }
   for (std::uint32_t w = 0; w < after.size(); ++w) {
-    turn_stays_[w] = edge_stays_[w] && edge_stays_[after.prev[w]];
-    if (!turn_stays_[w]) turned_.push_back(w);
+    corner_stays_[w] = edge_stays_[w] && edge_stays_[after.prev[w]];
+    if (!corner_stays_[w]) turned_.push_back(w);
   }
 }
 
 void WalkChanges::renew(const Operand& after, const Loop& loop) {
   for (std::uint32_t w = loop.first; w < loop.last; ++w) {
     if (edge_stays_[w]) new_edges_.push_back(w);
-    if (turn_stays_[w]) turned_.push_back(w);
-    edge_stays_[w] = turn_stays_[w] = 0;
+    if (corner_stays_[w]) turned_.push_back(w);
+    edge_stays_[w] = corner_stays_[w] = 0;
     if (before_[w] != kNone) after_[before_[w]] = kNone;
     before_[w] = kNone;
   }

@@ -35,7 +35,7 @@ class WalkChanges {
   bool edge_stays(std::uint32_t edge) const { return unchanged_ || edge_stays_[edge]; }
   /// Whether a walk vertex after the edit has both edges that it had before: it meets the same edges of the other
   /// operand.
-  bool turn_stays(std::uint32_t vertex) const { return unchanged_ || turn_stays_[vertex]; }
+  bool corner_stays(std::uint32_t vertex) const { return unchanged_ || corner_stays_[vertex]; }
 
   bool unchanged() const { return unchanged_; }
   /// Whether what stays has other indices.
@@ -56,7 +56,7 @@ class WalkChanges {
 
   bool unchanged_ = true, renumbered_ = false;
   std::vector<std::uint32_t> after_, before_, index_after_, new_edges_, turned_;
-  std::vector<std::uint8_t> edge_stays_, turn_stays_;
+  std::vector<std::uint8_t> edge_stays_, corner_stays_;
 };
 
 }  // namespace dymsum::planar
