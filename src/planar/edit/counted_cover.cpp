@@ -61,14 +61,24 @@ void add_counts(std::vector<std::int32_t>& counts, const Grid& grid, const Bitma
 
 }  // namespace
 
-CountedCover::CountedCover(const Operand& p, const Operand& q, int cells)
-    : width_{p.points->width, q.points->width}, height_{p.points->height, q.points->height}, covered_(0, 0) {
-  const SumGrid grid(width_, height_, cells);
+CountedCover::CountedCover(const PlacedPair& placed, int cells) : covered_(0, 0) {
+  const Lattice& lattice = *placed.lattice;
+  std::array<double, 2> width, height;
+  for (std::size_t op = 0; op < 2; ++op) {
+    const PlacedPoints& o = *lattice.points[op];
+    const double margin = std::max(o.width, o.height) / 16;
+    width[op] = o.width + 2 * margin;
+    height[op] = o.height + 2 * margin;
+    low_[op] = {o.offset.x - margin * lattice.unit, o.offset.y - margin * lattice.unit};
+    high_[op] = {low_[op].x + width[op] * lattice.unit, low_[op].y + height[op] * lattice.unit};
+  }
+  stand_on(lattice);
+  const SumGrid grid(width, height, cells);
   grid_ = grid.whole;
   covered_ = Bitmap(grid_.rows, grid_.columns);
   counts_.assign(static_cast<std::size_t>(grid.whole.rows) * static_cast<std::size_t>(grid.whole.columns), 0);
-  rasters_.emplace_back(p, grid.part[0]);
-  rasters_.emplace_back(q, grid.part[1]);
+  rasters_.emplace_back(*placed.p, grid.part[0], low_[0], lattice.unit);
+  rasters_.emplace_back(*placed.q, grid.part[1], low_[1], lattice.unit);
   count_all();
   settle();
 }
@@ -84,9 +94,23 @@ bool CountedCover::any_live(int row0, int column0, int row1, int column1) const 
   return false;
 }
 
-bool CountedCover::holds(const Operand& p, const Operand& q) const {
-  return p.points->width <= width_[0] && p.points->height <= height_[0] && q.points->width <= width_[1] &&
-         q.points->height <= height_[1];
+bool CountedCover::holds(const PlacedPair& placed) const {
+  const Lattice& lattice = *placed.lattice;
+  for (std::size_t op = 0; op < 2; ++op) {
+    const PlacedPoints& o = *lattice.points[op];
+    if (o.offset.x < low_[op].x || o.offset.y < low_[op].y || o.offset.x + o.width * lattice.unit > high_[op].x ||
+        o.offset.y + o.height * lattice.unit > high_[op].y)
+      return false;
+  }
+  return true;
+}
+
+void CountedCover::stand_on(const Lattice& lattice) {
+  const auto gap = [&](std::size_t op) {
+    const Point at = lattice.points[op]->offset;
+    return Point{(at.x - low_[op].x) / lattice.unit, (at.y - low_[op].y) / lattice.unit};
+  };
+  shift_ = {gap(0).x + gap(1).x, gap(0).y + gap(1).y};
 }
 
 void CountedCover::count_all() {
@@ -127,6 +151,7 @@ std::vector<GridCell> CountedCover::settle() {
 std::vector<GridCell> CountedCover::update(const PlacedPair& before, const PlacedPair& after,
                                            const std::array<WalkChanges, 2>& changes) {
   changed_cells_ = 0;
+  stand_on(*after.lattice);
   const std::array<const Operand*, 2> was{before.p.get(), before.q.get()}, is{after.p.get(), after.q.get()};
   bool many = false;
   for (std::size_t op = 0; op < 2; ++op) {

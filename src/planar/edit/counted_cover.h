@@ -23,14 +23,16 @@ struct GridCell {
 class CountedCover {
  public:
   /// Nothing is covered with fewer than two cells along the longer side.
-  CountedCover(const Operand& p, const Operand& q, int cells);
+  CountedCover(const PlacedPair& placed, int cells);
 
   const Grid& grid() const { return grid_; }
   bool covered(int row, int column) const { return covered_.get(row, column); }
   /// Whether some cell of a rectangle is live.
   bool any_live(int row0, int column0, int row1, int column1) const;
-  /// Whether operands of these extents still lie on the grid.
-  bool holds(const Operand& p, const Operand& q) const;
+  /// Whether operands still lie on the grid, which leaves a margin around those that it was made for.
+  bool holds(const PlacedPair& placed) const;
+  /// What has to be added to coordinates of the lattice that was last followed to be those of the grid.
+  Point shift() const { return shift_; }
 
   /// Follows an edit of the operands. Returns the cells that are covered no longer. Cost: that of EdgeRaster::update,
   /// and for each cell of a raster that changed the other raster's cells.
@@ -46,7 +48,10 @@ class CountedCover {
   void add_cells(const std::vector<EdgeRaster::Flip>& flips, const Bitmap& other);
   std::vector<GridCell> settle();
 
-  std::array<double, 2> width_, height_;
+  void stand_on(const Lattice& lattice);
+
+  std::array<Point, 2> low_, high_;  // of the grids of both operands, in input coordinates
+  Point shift_;
   Grid grid_;
   Bitmap covered_;
   std::vector<std::int32_t> counts_;

@@ -5,8 +5,10 @@
 
 namespace dymsum::planar {
 
-EdgeRaster::EdgeRaster(const Operand& o, const Grid& cells)
+EdgeRaster::EdgeRaster(const Operand& o, const Grid& cells, Point origin, double unit)
     : cells_(cells),
+      origin_(origin),
+      per_unit_(1 / unit),
       parity_(cells.rows, cells.columns),
       inner_(cells.rows, cells.columns),
       touch_(cells.rows, cells.columns),
@@ -30,7 +32,11 @@ void EdgeRaster::change_run(std::vector<std::uint16_t>& counts, int row, int fir
 // The cells are those of the mask's rasters: of an edge that stays in two by two cells its ends, and its whole box as
 // boundary.
 void EdgeRaster::change_edge(const Operand& o, std::uint32_t edge, int by) {
-  const EdgeBox& b = o.boxes[edge];
+  const Point from = o.points->input[o.source[edge]], to = o.points->input[o.source[o.next[edge]]];
+  const struct {
+    double ax, ay, bx, by;
+  } b{(from.x - origin_.x) * per_unit_, (from.y - origin_.y) * per_unit_, (to.x - origin_.x) * per_unit_,
+      (to.y - origin_.y) * per_unit_};
   const double rim = kRim * cells_.cell;
   const auto cell = [&](double v) { return static_cast<int>(v * cells_.per_cell); };
   const int r0 = cell(std::min(b.ay, b.by) - rim), r1 = cell(std::max(b.ay, b.by) + rim);

@@ -14,7 +14,10 @@ namespace dymsum::planar {
 /// edges change.
 class EdgeRaster {
  public:
-  EdgeRaster(const Operand& o, const Grid& cells);
+  /// `origin`: the input position of the corner of the first cell; coordinates count units of `unit`. They are computed
+  /// from those of the input, so that an edge is taken from the cells to which it was added, wherever the lattice
+  /// begins.
+  EdgeRaster(const Operand& o, const Grid& cells, Point origin, double unit);
 
   const Bitmap& corners() const { return corners_; }
   const Bitmap& touch() const { return touch_; }
@@ -27,7 +30,7 @@ class EdgeRaster {
   struct Flips {
     std::vector<Flip> corners, touch;
   };
-  /// Follows an edit. Requires: coordinates that stay are the same numbers. Cost: the cells of edges that come or go,
+  /// Follows an edit. Cost: the cells of edges that come or go,
   /// and of their rows a 64th.
   Flips update(const Operand& before, const Operand& after, const WalkChanges& changes);
 
@@ -37,6 +40,8 @@ class EdgeRaster {
   void settle(Flips& flips);
 
   Grid cells_;
+  Point origin_;
+  double per_unit_;
   Bitmap parity_, inner_, touch_, corners_;  // parity_: changes of the winding number's parity along a row
   std::vector<std::uint16_t> touch_count_, bound_count_;
   std::vector<std::uint8_t> dirty_;  // rows

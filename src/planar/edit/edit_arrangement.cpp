@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace dymsum::planar {
 
@@ -56,17 +57,21 @@ void EditArrangement::LiveChain::incident(WalkPair v, Array<Incidence>& out) con
 template <class F>
 void EditArrangement::for_each_cell(const SoupBox& b, F&& f) const {
   const Grid& grid = cover_.grid();
-  for_each_cell_run(grid, b.ax, b.ay, b.bx, b.by, [&](int row, int first, int last) {
+  const Point shift = cover_.shift();
+  const auto run = [&](int row, int first, int last) {
     for (int c = first; c <= last; ++c)
       f(row, c, static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(c));
-  });
+  };
+  for_each_cell_run(grid, b.ax + shift.x, b.ay + shift.y, b.bx + shift.x, b.by + shift.y, run);
 }
 
 bool EditArrangement::has_live_cell(const SoupBox& b) const {
   const Grid& grid = cover_.grid();
+  const Point shift = cover_.shift();
   const double reach = kReach * grid.cell;
-  if (!cover_.any_live(grid.row(std::min(b.ay, b.by) - reach), grid.column(std::min(b.ax, b.bx) - reach),
-                       grid.row(std::max(b.ay, b.by) + reach), grid.column(std::max(b.ax, b.bx) + reach)))
+  if (!cover_.any_live(
+          grid.row(std::min(b.ay, b.by) + shift.y - reach), grid.column(std::min(b.ax, b.bx) + shift.x - reach),
+          grid.row(std::max(b.ay, b.by) + shift.y + reach), grid.column(std::max(b.ax, b.bx) + shift.x + reach)))
     return false;
   bool live = false;
   for_each_cell(b, [&](int row, int column, std::size_t) { live |= !cover_.covered(row, column); });
@@ -111,6 +116,7 @@ std::uint32_t EditArrangement::add(const WalkSegment& w) {
         candidates_.push_back({s, t});
       }
     cells_[cell].push_back(s);
+    slots_[s].cells.push_back(static_cast<std::uint32_t>(cell));
   });
   if (!pairs_.empty()) {
     slots_[s].start_node = pairs_.count(key(soup_->start(s))) != 0;
@@ -170,13 +176,11 @@ void EditArrangement::remove(std::uint32_t s) {
       free_crossings_.push_back(e.id);
     }
   }
-  for_each_cell(soup_->boxes[s], [&](int, int, std::size_t cell) {
+  for (const std::uint32_t cell : slot.cells) {
     std::vector<std::uint32_t>& list = cells_[cell];
-    if (const auto at = std::find(list.begin(), list.end(), s); at != list.end()) {
-      *at = list.back();
-      list.pop_back();
-    }
-  });
+    *std::find(list.begin(), list.end(), s) = list.back();
+    list.pop_back();
+  }
   if (slot.prev != kNone) {
     if (chain_.links()[slot.prev] == s) chain_.links()[slot.prev] = kNone;
     relink_.push_back(slot.prev);
@@ -256,6 +260,27 @@ void EditArrangement::rename(const PlacedPair& placed, const ReducedConvolution&
   pairs_ = std::move(pairs);
 }
 
+void EditArrangement::round_again() {
+  std::vector<std::uint32_t> ids;
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::uint32_t s = 0; s < slots_.size(); ++s) {
+    if (!slots_[s].alive) continue;
+    soup_->boxes[s] = soup_->box(name(s));
+    for (const Event& e : slots_[s].events)
+      if (!(e.id & kTouchBit) && crossings_[e.id].a == s) {
+        ids.push_back(e.id);
+        pairs.push_back({s, crossings_[e.id].b});
+      }
+  }
+  Meetings found;
+  CrossingFinder(*soup_, found).pairs(pairs);
+  if (found.crossings.size() != ids.size()) throw std::logic_error("EditArrangement: a crossing is lost");
+  for (std::size_t k = 0; k < ids.size(); ++k) crossings_[ids[k]] = found.crossings[k];
+  for (std::uint32_t s = 0; s < slots_.size(); ++s)
+    for (Event& e : slots_[s].events)
+      if (!(e.id & kTouchBit)) e.t = crossings_[e.id].a == s ? crossings_[e.id].ta : crossings_[e.id].tb;
+}
+
 // Segments of a vertex that meets other edges than before, with the edges that were there before.
 void EditArrangement::add_corner(std::uint32_t side, std::uint32_t v, const std::array<WalkChanges, 2>& changes,
                                  const ReducedConvolution& before) {
@@ -299,8 +324,9 @@ void EditArrangement::open_cells(std::span<const GridCell> list) {
     column0 = std::min(column0, c.column), column1 = std::max(column1, c.column);
   }
   const double reach = 2 * kReach * grid.cell;
-  const double x0 = column0 * grid.cell - reach, x1 = (column1 + 1) * grid.cell + reach;
-  const double y0 = row0 * grid.cell - reach, y1 = (row1 + 1) * grid.cell + reach;
+  const Point shift = cover_.shift();
+  const double x0 = column0 * grid.cell - reach - shift.x, x1 = (column1 + 1) * grid.cell + reach - shift.x;
+  const double y0 = row0 * grid.cell - reach - shift.y, y1 = (row1 + 1) * grid.cell + reach - shift.y;
   convolution_->for_each([&](const WalkSegment& w) {
     const SoupBox b = soup_->box(w);
     // Clamped cells at the rim of the grid hold what lies beyond it, but nothing does.
@@ -322,6 +348,7 @@ void EditArrangement::open_cells(std::span<const GridCell> list) {
       for (const std::uint32_t t : segments)
         if (!has_crossing(s, t)) candidates_.push_back({s, t});
       segments.push_back(s);
+      slots_[s].cells.push_back(static_cast<std::uint32_t>(cell));
     });
   });
 }

@@ -20,7 +20,8 @@ std::optional<GridCell> covered_midpoint(const EditArrangement& a, LiveSubEdge a
   if (!(t - from.t > from.error + kFractionRoundings && to.t - t > to.error + kFractionRoundings)) return std::nullopt;
   const SoupBox& b = a.soup().boxes[at.segment];
   const Grid& grid = cover.grid();
-  const GridCell cell{grid.row(b.ay + t * b.dy), grid.column(b.ax + t * b.dx)};
+  const Point shift = cover.shift();
+  const GridCell cell{grid.row(b.ay + t * b.dy + shift.y), grid.column(b.ax + t * b.dx + shift.x)};
   if (!cover.covered(cell.row, cell.column)) return std::nullopt;
   return cell;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -54,8 +55,8 @@ class EditLoops {
   /// Follows the arrangement: finds cycles that are new, and decides those that the edit may have changed.
   void update(EditArrangement& arrangement, const Changes& changes, const CountedCover& cover, Collision& collision);
 
-  const std::unordered_map<std::uint32_t, EditCycle>& cycles() const { return cycles_; }
-  std::unordered_map<std::uint32_t, EditCycle>& cycles() { return cycles_; }
+  const std::map<std::uint32_t, EditCycle>& cycles() const { return cycles_; }
+  std::map<std::uint32_t, EditCycle>& cycles() { return cycles_; }
   /// Cycles that bounded the sum before the last update, with their rings.
   const std::vector<EditCycle>& lost() const { return lost_; }
 
@@ -94,7 +95,7 @@ class EditLoops {
   };
 
   bool connected_;
-  std::unordered_map<std::uint32_t, EditCycle> cycles_, broken_;
+  std::map<std::uint32_t, EditCycle> cycles_, broken_;
   std::vector<EditCycle> lost_;
   std::vector<Undecided> undecided_;
   std::unordered_map<std::uint64_t, std::vector<TightSuspect>> nodes_;

@@ -13,6 +13,9 @@ namespace dymsum::planar {
 namespace {
 
 // What is kept pays from so many segments on, and up to so many; and where few of them meet in degenerate nodes.
+// To make what is kept takes as long as so many sums from scratch; a step that follows saves most of one, and while
+// nothing is kept a tenth of each step is put aside for another attempt.
+constexpr double kMaking = 5, kSavedByUpdate = 0.8, kPutAside = 0.1;
 constexpr std::uint64_t kFewSegments = 200, kManySegments = 300000, kSegmentsPerNode = 8;
 
 bool has_only_area(const Region& region) {
@@ -78,12 +81,16 @@ bool EditedSum::can_keep(const PlacedPair& placed, const Step& step) const {
          (options_.mode == FrameMode::window || !convex_boundary(*placed.lattice, *placed.p, *placed.q));
 }
 
+// Whether what is kept can go on: the numbers of what stays are the same, or can be rounded again.
+bool EditedSum::comparable(const PlacedPair& placed) const {
+  const Lattice &a = *placed_.lattice, &b = *placed.lattice;
+  return a.unit == b.unit && a.exact_doubles == b.exact_doubles && cover_->holds(placed);
+}
+
 // Whether rounded positions and their errors are those of a sum from scratch.
 bool EditedSum::same_numbers(const PlacedPair& placed) const {
   const Lattice &a = *placed_.lattice, &b = *placed.lattice;
-  const auto same = [](const PlacedPoints& x, const PlacedPoints& y) { return x.offset == y.offset; };
-  return a.unit == b.unit && a.span == b.span && a.exact_doubles == b.exact_doubles &&
-         same(*a.points[0], *b.points[0]) && same(*a.points[1], *b.points[1]) && cover_->holds(*placed.p, *placed.q);
+  return a.span == b.span && a.points[0]->offset == b.points[0]->offset && a.points[1]->offset == b.points[1]->offset;
 }
 
 // Per loop and component of the other operand: whether that fills it.
@@ -135,7 +142,7 @@ void EditedSum::drop() {
 void EditedSum::keep(const PlacedPair& placed) {
   drop();
   convolution_ = std::make_unique<ReducedConvolution>(*placed.lattice, *placed.p, *placed.q);
-  cover_ = std::make_unique<CountedCover>(*placed.p, *placed.q, grid_size(convolution_->size()));
+  cover_ = std::make_unique<CountedCover>(placed, grid_size(convolution_->size()));
   arrangement_ = std::make_unique<EditArrangement>(placed, *convolution_, *cover_);
   loops_ = std::make_unique<EditLoops>(placed.p->components.size() == 1 && placed.q->components.size() == 1);
   for (std::uint32_t op = 0; op < 2; ++op) filled_[op] = filled_loops(placed, op);
@@ -143,6 +150,17 @@ void EditedSum::keep(const PlacedPair& placed) {
   EditLoops::Changes all;
   all.all_new = true;
   loops_->update(*arrangement_, all, *cover_, collision);
+  plain_ = !loops_->degenerate(*arrangement_, *cover_, collision, options_.semantics != Semantics::regular);
+}
+
+// The rings of a sum from scratch are those of cycles from now on.
+void EditedSum::hand_over() {
+  const SumStats stats = std::move(sum_.stats);
+  const std::vector<std::uint64_t> ids = std::move(ring_ids_);
+  assemble();
+  sum_.stats = stats;
+  ring_ids_ = ids;
+  for (std::size_t i = 0; i < cycles_.size(); ++i) loops_->cycles().at(cycles_[i]).identity = ids[i];
 }
 
 FrameChanges EditedSum::take_scratch(PlanarSum sum) {
@@ -162,11 +180,19 @@ Result<FrameChanges> EditedSum::rebuild(PlacedPair placed, const Step& step) {
   const bool pays = options_.mode == FrameMode::window ||
                     (stats.reduced_segments >= kFewSegments && stats.reduced_segments <= kManySegments &&
                      stats.degenerate_nodes * kSegmentsPerNode <= stats.live_segments);
-  if (pays && can_keep(placed, step)) keep(placed);
-  else drop();
+  if (arrangement_ == nullptr) saved_ += kPutAside;
+  const bool affordable = options_.mode == FrameMode::window || saved_ >= kMaking;
+  if (pays && affordable && can_keep(placed, step)) {
+    saved_ -= kMaking;
+    keep(placed);
+  } else {
+    drop();
+  }
   placed_ = std::move(placed);
   for (std::uint32_t op = 0; op < 2; ++op) own_[op] = op == 0 ? placed_.p : placed_.q;
-  return take_scratch(std::move(sum).value());
+  FrameChanges changes = take_scratch(std::move(sum).value());
+  if (arrangement_ != nullptr && plain_) hand_over();
+  return changes;
 }
 
 Result<FrameChanges> EditedSum::start(const Step& step) {
@@ -179,7 +205,7 @@ Result<FrameChanges> EditedSum::follow(const Step& step) {
   Result<PlacedPair> made = placed_pair(step);
   if (!made) return made.error();
   PlacedPair placed = std::move(made).value();
-  if (arrangement_ == nullptr || !can_keep(placed, step) || !same_numbers(placed) ||
+  if (arrangement_ == nullptr || !can_keep(placed, step) || !comparable(placed) ||
       placed.p->components.size() != placed_.p->components.size() ||
       placed.q->components.size() != placed_.q->components.size())
     return rebuild(std::move(placed), step);
@@ -214,16 +240,22 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step, std::array<W
   arrangement_->remove_changed(walks, *convolution);
   const std::vector<GridCell> uncovered = cover_->update(placed_, placed, walks);
   arrangement_->rename(placed, *convolution, walks);
+  const bool other_numbers = !same_numbers(placed);
+  if (other_numbers) arrangement_->round_again();
   arrangement_->add_changed(walks, *convolution_, uncovered);
   for (std::uint32_t op = 0; op < 2; ++op) filled_[op] = filled_loops(placed, op);
   placed_ = std::move(placed);
   for (std::uint32_t op = 0; op < 2; ++op) own_[op] = op == 0 ? placed_.p : placed_.q;
   convolution_ = std::move(convolution);
 
+  saved_ += kSavedByUpdate;
+
   Collision collision(*placed_.lattice, *placed_.p, *placed_.q, true);
   EditLoops::Changes changes;
   changes.walks = std::move(walks);
   loops_->update(*arrangement_, changes, *cover_, collision);
+  if (other_numbers)
+    for (auto& [id, cycle] : loops_->cycles()) cycle.ring.reset();
   work_.degenerate = loops_->degenerate(*arrangement_, *cover_, collision, options_.semantics != Semantics::regular);
 
   const EditArrangement::Work& done = arrangement_->work();
@@ -282,21 +314,24 @@ FrameChanges EditedSum::assemble() {
       lost_ids.push_back(cycle.identity);
     }
   double error = arrangement_->soup().point_error;
-  for (auto& [id, cycle] : loops_->cycles()) {
-    if (!cycle.kept) continue;
-    all.push_back(id);
+  for (const auto& [id, cycle] : loops_->cycles())
+    if (cycle.kept) all.push_back(id);
+  std::sort(all.begin(), all.end());
+  for (const std::uint32_t id : all) {
+    EditCycle& cycle = loops_->cycles().at(id);
     if (!cycle.ring) {
       cycle.ring_error = 0;
       cycle.ring = ring_of_steps(*arrangement_, loops_->steps_of(*arrangement_, cycle), *source, cycle.ring_error);
-      made.parts.push_back({*cycle.ring, {}});
-      made_cycles.push_back(id);
+      if (cycle.identity == 0) {
+        made.parts.push_back({*cycle.ring, {}});
+        made_cycles.push_back(id);
+      }
     }
     error = std::max(error, cycle.ring_error);
   }
   FrameChanges changes;
   const std::vector<std::uint64_t> ids = identities_.match(lost, lost_ids, made, false, changes);
   for (std::size_t i = 0; i < made_cycles.size(); ++i) loops_->cycles().at(made_cycles[i]).identity = ids[i];
-  std::sort(all.begin(), all.end());
   std::vector<SumRing> rings;
   std::vector<std::uint8_t> outer;
   for (const std::uint32_t id : all) {

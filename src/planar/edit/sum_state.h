@@ -37,11 +37,13 @@ class EditedSum {
  private:
   Result<PlacedPair> placed_pair(const Step& step) const;
   bool can_keep(const PlacedPair& placed, const Step& step) const;
+  bool comparable(const PlacedPair& placed) const;
   bool same_numbers(const PlacedPair& placed) const;
   std::array<WalkChanges, 2> changes_to(const PlacedPair& placed, const Step& step) const;
   std::vector<std::uint8_t> filled_loops(const PlacedPair& placed, std::uint32_t op) const;
   Result<FrameChanges> rebuild(PlacedPair placed, const Step& step);
   void keep(const PlacedPair& placed);
+  void hand_over();
   void drop();
   FrameChanges update(PlacedPair placed, const Step& step, std::array<WalkChanges, 2> walks);
   FrameChanges take_scratch(PlanarSum sum);
@@ -61,7 +63,9 @@ class EditedSum {
   PlanarSum sum_;
   std::vector<std::uint64_t> ring_ids_;
   std::vector<std::uint32_t> cycles_;  // of the rings of sum_, while these are from updates
+  bool plain_ = false;                 // nothing degenerate shows in what was made to be kept
   RingIdentities identities_;
+  double saved_ = 5;  // in sums from scratch: enough to make once what is kept
   EditWork work_;
 };
 
