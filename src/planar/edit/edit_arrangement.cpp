@@ -192,6 +192,7 @@ void EditArrangement::remove(std::uint32_t s) {
   live_.erase(key(name(s)));
   const WalkPair start = soup_->start(s), end = soup_->end(s);
   slot = Slot{};
+  soup_->segments[s].vertex = kNone;
   free_slots_.push_back(s);
   ++work_.removed;
   for (const WalkPair v : {start, end})
@@ -227,7 +228,7 @@ void EditArrangement::remove_changed(const std::array<WalkChanges, 2>& changes, 
   links_.clear();
   std::vector<std::uint32_t> gone;
   for (std::uint32_t s = 0; s < slots_.size(); ++s)
-    if (slots_[s].alive && !stays(s, changes, after)) gone.push_back(s);
+    if (soup_->segments[s].vertex != kNone && !stays(s, changes, after)) gone.push_back(s);
   for (const std::uint32_t s : gone) unsettle_nodes_of(s);
   for (const std::uint32_t s : gone) remove(s);
 }
