@@ -17,10 +17,12 @@ class MovedOperand {
     if (!applies() || !move_points()) return nullptr;
     made_ = std::make_shared<Operand>(before_);
     made_->points = points_;
+    edge_listed_.assign(before_.size(), 0);
+    corner_listed_ = edge_listed_;
     for (const std::uint32_t v : moved_) {  // every vertex is its own walk vertex
-      add(edges_, before_.prev[v]);
-      add(edges_, v);
-      for (const std::uint32_t w : {before_.prev[v], v, before_.next[v]}) add(turned_, w);
+      add(edges_, edge_listed_, before_.prev[v]);
+      add(edges_, edge_listed_, v);
+      for (const std::uint32_t w : {before_.prev[v], v, before_.next[v]}) add(turned_, corner_listed_, w);
     }
     const OwnEdges own(*points_);
     for (const std::uint32_t w : turned_) {
@@ -36,8 +38,9 @@ class MovedOperand {
   }
 
  private:
-  static void add(std::vector<std::uint32_t>& list, std::uint32_t k) {
-    if (std::find(list.begin(), list.end(), k) == list.end()) list.push_back(k);
+  static void add(std::vector<std::uint32_t>& list, std::vector<std::uint8_t>& listed, std::uint32_t k) {
+    if (!listed[k]) list.push_back(k);
+    listed[k] = 1;
   }
 
   // Every vertex of the region is one of the walk, in units of 1.
@@ -145,8 +148,7 @@ class MovedOperand {
     std::vector<Item> others;
     others.reserve(list.edges.size());
     for (std::size_t k = 0; k < list.edges.size(); ++k)
-      if (std::find(edges_.begin(), edges_.end(), list.edges[k]) == edges_.end())
-        others.push_back({list.keys[k], list.edges[k]});
+      if (!edge_listed_[list.edges[k]]) others.push_back({list.keys[k], list.edges[k]});
     std::size_t at = 0, k = 0;
     for (const Item& item : changed) {
       const std::size_t stop =
@@ -169,6 +171,7 @@ class MovedOperand {
   std::shared_ptr<PlacedPoints> points_;
   std::shared_ptr<Operand> made_;
   std::vector<std::uint32_t> moved_, edges_, turned_;
+  std::vector<std::uint8_t> edge_listed_, corner_listed_;  // which edges and vertices are in the lists
 };
 
 }  // namespace

@@ -24,13 +24,34 @@ bool NewOverlap::provably_cross(const SegmentPosition& x, const CrossingEdges& e
   return c * d < 0;
 }
 
-bool NewOverlap::apart(const SegmentPosition& x, std::uint32_t op, std::uint32_t edge) const {
+// The edges of the other operand that the box of all new ones reaches at x.
+std::vector<std::uint32_t> NewOverlap::near(const SegmentPosition& x, std::uint32_t op) const {
+  const Operand &o = *operands_[op], &other = *operands_[1 - op];
+  const double margin = x.error + kSumBox * lattice_.span;
+  double low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
+  for (const std::uint32_t e : fresh_[op]) {
+    const EdgeBox& b = o.boxes[e];
+    low_x = std::min({low_x, b.ax, b.bx}), high_x = std::max({high_x, b.ax, b.bx});
+    low_y = std::min({low_y, b.ay, b.by}), high_y = std::max({high_y, b.ay, b.by});
+  }
+  std::vector<std::uint32_t> edges;
+  for (std::uint32_t f = 0; f < other.size(); ++f) {
+    const EdgeBox& c = other.boxes[f];
+    if (std::max(c.ax, c.bx) >= x.x - high_x - margin && std::min(c.ax, c.bx) <= x.x - low_x + margin &&
+        std::max(c.ay, c.by) >= x.y - high_y - margin && std::min(c.ay, c.by) <= x.y - low_y + margin)
+      edges.push_back(f);
+  }
+  return edges;
+}
+
+bool NewOverlap::apart(const SegmentPosition& x, std::uint32_t op, std::uint32_t edge,
+                       std::span<const std::uint32_t> others) const {
   const Operand &o = *operands_[op], &other = *operands_[1 - op];
   const double margin = x.error + kSumBox * lattice_.span;
   const EdgeBox& b = o.boxes[edge];
   const double x0 = x.x - std::max(b.ax, b.bx) - margin, x1 = x.x - std::min(b.ax, b.bx) + margin;
   const double y0 = x.y - std::max(b.ay, b.by) - margin, y1 = x.y - std::min(b.ay, b.by) + margin;
-  for (std::uint32_t f = 0; f < other.size(); ++f) {
+  for (const std::uint32_t f : others) {
     const EdgeBox& c = other.boxes[f];
     if (std::max(c.ax, c.bx) < x0 || std::min(c.ax, c.bx) > x1 || std::max(c.ay, c.by) < y0 ||
         std::min(c.ay, c.by) > y1)
@@ -43,9 +64,12 @@ bool NewOverlap::apart(const SegmentPosition& x, std::uint32_t op, std::uint32_t
 
 bool NewOverlap::provably_none(const SegmentPosition& x) const {
   if (operands_[0]->components.size() != 1 || operands_[1]->components.size() != 1) return false;
-  for (std::uint32_t op = 0; op < 2; ++op)
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    if (fresh_[op].empty()) continue;
+    const std::vector<std::uint32_t> others = near(x, op);
     for (const std::uint32_t e : fresh_[op])
-      if (!apart(x, op, e)) return false;
+      if (!apart(x, op, e, others)) return false;
+  }
   return true;
 }
 

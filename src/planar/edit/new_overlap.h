@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "planar/boundary/collision.h"
 #include "planar/operand/operand.h"
@@ -26,7 +27,9 @@ class NewOverlap {
  private:
   // The sides of an edge of `op` on which the ends of one of the other operand lie: 1, -1, or 0 where it is open.
   std::array<int, 2> sides(const SegmentPosition& x, std::uint32_t op, std::uint32_t edge, std::uint32_t other) const;
-  bool apart(const SegmentPosition& x, std::uint32_t op, std::uint32_t edge) const;
+  std::vector<std::uint32_t> near(const SegmentPosition& x, std::uint32_t op) const;
+  bool apart(const SegmentPosition& x, std::uint32_t op, std::uint32_t edge,
+             std::span<const std::uint32_t> others) const;
 
   const Lattice& lattice_;
   std::array<const Operand*, 2> operands_;

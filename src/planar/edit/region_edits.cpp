@@ -190,6 +190,7 @@ class NewEdges {
       if (first_[r + 1] - first_[r] < 3) return false;
       find_changes(r);
     }
+    find_near();
     for (const std::uint32_t e : new_)
       if (!apart(e)) return false;
     for (std::size_t r = 0; r + 1 < first_.size(); ++r)
@@ -237,6 +238,24 @@ class NewEdges {
       if (!kept[k]) gone_.push_back({r, old_first_[r] + k});
   }
 
+  // The edges whose boxes meet the box of all new ones.
+  void find_near() {
+    if (new_.empty()) return;
+    Point low = now_[new_[0]], high = low;
+    for (const std::uint32_t e : new_)
+      for (const std::uint32_t v : {e, next_in(first_, ring_of(e), e)}) {
+        low = {std::min(low.x, now_[v].x), std::min(low.y, now_[v].y)};
+        high = {std::max(high.x, now_[v].x), std::max(high.y, now_[v].y)};
+      }
+    for (std::size_t s = 0; s + 1 < first_.size(); ++s)
+      for (std::uint32_t v = first_[s]; v < first_[s + 1]; ++v) {
+        const Point c = now_[v], d = now_[next_in(first_, s, v)];
+        if (std::max(c.x, d.x) >= low.x && std::min(c.x, d.x) <= high.x && std::max(c.y, d.y) >= low.y &&
+            std::min(c.y, d.y) <= high.y)
+          near_.push_back({v, c, d});
+      }
+  }
+
   // Whether an edge provably meets no other one but its neighbours, and does not fold back on them.
   bool apart(std::uint32_t e) {
     const std::size_t r = ring_of(e);
@@ -245,17 +264,10 @@ class NewEdges {
     if (!std::isfinite(a.x - b.x) || !std::isfinite(a.y - b.y) || a == b) return false;
     if (folds(now_[before], a, b) || folds(a, b, now_[next_in(first_, r, n)])) return false;
     const double x0 = std::min(a.x, b.x), x1 = std::max(a.x, b.x), y0 = std::min(a.y, b.y), y1 = std::max(a.y, b.y);
-    for (std::size_t s = 0; s + 1 < first_.size(); ++s) {
-      Point c = now_[first_[s + 1] - 1];
-      std::uint32_t f = first_[s + 1] - 1;
-      for (std::uint32_t v = first_[s]; v < first_[s + 1]; ++v) {
-        const Point d = now_[v];
-        const bool far =
-            std::max(c.x, d.x) < x0 || std::min(c.x, d.x) > x1 || std::max(c.y, d.y) < y0 || std::min(c.y, d.y) > y1;
-        if (!far && f != e && f != before && f != n && !one_side(a, b, c, d) && !one_side(c, d, a, b)) return false;
-        c = d;
-        f = v;
-      }
+    for (const auto& [f, c, d] : near_) {
+      const bool far =
+          std::max(c.x, d.x) < x0 || std::min(c.x, d.x) > x1 || std::max(c.y, d.y) < y0 || std::min(c.y, d.y) > y1;
+      if (!far && f != e && f != before && f != n && !one_side(a, b, c, d) && !one_side(c, d, a, b)) return false;
     }
     return true;
   }
@@ -307,6 +319,11 @@ class NewEdges {
   const EditedData& edited_;
   std::vector<Point> old_, now_;
   std::vector<std::uint32_t> old_first_, first_;  // of rings
+  struct PlacedEdge {
+    std::uint32_t index;
+    Point from, to;
+  };
+  std::vector<PlacedEdge> near_;
   std::vector<std::uint32_t> new_;
   std::vector<std::size_t> ring_of_new_;
   std::vector<std::uint8_t> changed_;

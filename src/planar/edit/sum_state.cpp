@@ -16,6 +16,8 @@ namespace {
 // To make what is kept takes as long as so many sums from scratch; a step that follows saves most of one, and while
 // nothing is kept a tenth of each step is put aside for another attempt.
 constexpr double kMaking = 5, kSavedByUpdate = 0.8, kPutAside = 0.1;
+// Edits of more than this fraction of an operand's vertices are made from scratch.
+constexpr double kManyVertices = 0.2;
 constexpr std::uint64_t kFewSegments = 200, kManySegments = 300000, kSegmentsPerNode = 8;
 
 bool has_only_area(const Region& region) {
@@ -181,7 +183,7 @@ Result<FrameChanges> EditedSum::rebuild(PlacedPair placed, const Step& step) {
                     (stats.reduced_segments >= kFewSegments && stats.reduced_segments <= kManySegments &&
                      stats.degenerate_nodes * kSegmentsPerNode <= stats.live_segments);
   if (arrangement_ == nullptr) saved_ += kPutAside;
-  const bool affordable = options_.mode == FrameMode::window || saved_ >= kMaking;
+  const bool affordable = options_.mode == FrameMode::window || (saved_ >= kMaking && !is_large(step));
   if (pays && affordable && can_keep(placed, step)) {
     saved_ -= kMaking;
     keep(placed);
@@ -205,12 +207,33 @@ Result<FrameChanges> EditedSum::follow(const Step& step) {
   Result<PlacedPair> made = placed_pair(step);
   if (!made) return made.error();
   PlacedPair placed = std::move(made).value();
-  if (arrangement_ == nullptr || !can_keep(placed, step) || !comparable(placed) ||
+  const bool large = options_.mode == FrameMode::automatic && is_large(step);
+  if (arrangement_ == nullptr || large || !can_keep(placed, step) || !comparable(placed) ||
       placed.p->components.size() != placed_.p->components.size() ||
       placed.q->components.size() != placed_.q->components.size())
     return rebuild(std::move(placed), step);
   std::array<WalkChanges, 2> walks = changes_to(placed, step);
   return update(std::move(placed), step, std::move(walks));
+}
+
+// Whether a step changes so much that what is kept saves nothing.
+bool EditedSum::is_large(const Step& step) const {
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    if (step.origins[op] == nullptr || own_[op] == nullptr) continue;
+    const std::vector<Point>& before = own_[op]->points->input;
+    const double sign = own_[op]->reflected ? -1 : 1;
+    std::size_t changed = 0;
+    std::uint32_t v = 0;
+    for_each_chain(step.regions[op]->data(), [&](const std::vector<Point>& chain) {
+      for (const Point p : chain) {
+        const std::uint32_t was = (*step.origins[op])[v++];
+        changed += was == kNone || before[was].x != sign * p.x || before[was].y != sign * p.y;
+      }
+    });
+    changed += v < before.size() ? before.size() - v : 0;
+    if (static_cast<double>(changed) > kManyVertices * static_cast<double>(before.size())) return true;
+  }
+  return false;
 }
 
 // The rings of the sum go back to their cycles.

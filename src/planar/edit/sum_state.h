@@ -37,6 +37,7 @@ class EditedSum {
  private:
   Result<PlacedPair> placed_pair(const Step& step) const;
   bool can_keep(const PlacedPair& placed, const Step& step) const;
+  bool is_large(const Step& step) const;
   bool comparable(const PlacedPair& placed) const;
   bool same_numbers(const PlacedPair& placed) const;
   std::array<WalkChanges, 2> changes_to(const PlacedPair& placed, const Step& step) const;
