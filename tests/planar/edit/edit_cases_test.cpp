@@ -142,6 +142,32 @@ TEST(EditCases, a_hole_opens_and_closes_where_nothing_was_edited) {
   EXPECT_EQ(compared(sum), "");
 }
 
+// A square fits into a chamber with room to spare; a needle in a channel below it reaches in, or not. All edges around
+// the positions that are free without the needle stay as they are, and nothing of the needle crosses them.
+TEST(EditCases, a_hole_opens_and_closes_whose_edges_all_stay) {
+  const auto at = [](double x, double y) { return Point{x, y}; };
+  const Ring outer{{-10, -10}, {15, -10}, {15, 15}, {-10, 15}};
+  const Ring chamber{{0, 0},    {0, 5},   {5, 5},    {5, 0},     {3, 0},  {3, -3},
+                     {2.5, -3}, {2.5, 2}, {2.25, 2}, {2.25, -3}, {2, -3}, {2, 0}};
+  const Region p = Region::create({{{outer, {chamber}}}, {}, {}}).value();
+  EditableSum sum = EditableSum::create(p, shapes::rectangle(0, 0, 4, 4), updates()).value();
+  EXPECT_EQ(sum.sum().hole_count(), 0u);
+  const std::array out{Edit::move(kP, 11, at(2.5, -2)), Edit::move(kP, 12, at(2.25, -2))};
+  const std::array in{Edit::move(kP, 11, at(2.5, 2)), Edit::move(kP, 12, at(2.25, 2))};
+  for (int k = 0; k < 3; ++k) {
+    const FrameChanges opened = sum.edit(out).value();
+    EXPECT_EQ(sum.sum().hole_count(), 1u);
+    EXPECT_TRUE(opened.topology);
+    EXPECT_FALSE(sum.work().rebuilt);
+    EXPECT_EQ(sum.work().loops_traced, 0u);
+    EXPECT_EQ(compared(sum), "");
+    const FrameChanges closed = sum.edit(in).value();
+    EXPECT_EQ(sum.sum().hole_count(), 0u);
+    EXPECT_EQ(closed.rings.size(), 1u);
+    EXPECT_EQ(compared(sum), "");
+  }
+}
+
 TEST(EditCases, exact_fits_show_and_go) {
   EditableSum sum = tongue(8);
   const FrameChanges fits = reach_to(sum, 6);  // 4 are left beside the tongue
