@@ -15,6 +15,8 @@ from ._core import (
     LocalPart,
     LocalSum,
     Mesh,
+    EditableSum,
+    EditOptions,
     MovingOptions,
     MovingSolidOptions,
     MovingSolidSum,
@@ -111,6 +113,11 @@ def scaling(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) 
 def scaling_sum(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) -> PlanarSum:
     """The sum that a scaling sum had."""
     return scaling(p, q, options, sx, sy).sum()
+
+
+def edited_sum(p: Region, q: Region, options: EditOptions) -> PlanarSum:
+    """The sum that an edited sum had."""
+    return EditableSum(p, q, options).sum()
 
 
 def rotation_family_at(p: Region, q: Region, options: FamilyOptions, theta: Orientation) -> PlanarSum:

@@ -2,6 +2,12 @@
 
 from ._core import (
     CopySum as CopySum,
+    Edit as Edit,
+    EditKind as EditKind,
+    EditOptions as EditOptions,
+    EditStep as EditStep,
+    EditWork as EditWork,
+    EditableSum as EditableSum,
     EventChange as EventChange,
     EventKind as EventKind,
     FamilyFeature as FamilyFeature,
@@ -40,6 +46,12 @@ from ._core import (
 
 __all__ = [
     "CopySum",
+    "Edit",
+    "EditKind",
+    "EditOptions",
+    "EditStep",
+    "EditWork",
+    "EditableSum",
     "EventChange",
     "EventKind",
     "FamilyFeature",

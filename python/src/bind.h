@@ -19,6 +19,7 @@ void bind_planar_sum(nb::module_& m);
 void bind_planar_sums(nb::module_& m);
 void bind_frames(nb::module_& m);
 void bind_moving_sums(nb::module_& m);
+void bind_edited_sum(nb::module_& m);
 void bind_family(nb::module_& m);
 void bind_scale_range(nb::module_& m);
 void bind_obstacle_parts(nb::module_& m);

@@ -14,7 +14,7 @@ HEADERS = Path(__file__).parents[2] / "include" / "dymsum"
 OTHER_FORM = {"Result", "Rational", "ForcedTier", "PlanarOperand"}
 RENAMED = {"in": "in_", "from": "from_"}
 #: Members that have no sense in Python.
-LEFT_OUT = {"Error.code", "Error.message", "Error.evidence", "NfpTable.state", "SumOptions.forced_tier", "MovingOptions.forced_tier"}
+LEFT_OUT = {"Error.code", "Error.message", "Error.evidence", "NfpTable.state", "SumOptions.forced_tier", "MovingOptions.forced_tier", "EditOptions.forced_tier"}
 
 
 def _plain(text: str) -> str:

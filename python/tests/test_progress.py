@@ -88,6 +88,8 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("nfp_each", lambda f: dymsum.nfp_each([(P, Q)] * 3, planar(f), return_errors=True)),
     ("ScalingSum", lambda f: dymsum.ScalingSum(P, Q, moving(f))),
     ("ScalingSum", lambda f: dymsum.ScalingSum.create(P, Q, moving(f))),
+    ("EditableSum", lambda f: dymsum.EditableSum(P, Q, dymsum.EditOptions(progress=f))),
+    ("EditableSum", lambda f: dymsum.EditableSum.create(P, Q, dymsum.EditOptions(progress=f))),
     ("ScalingSum.events", lambda f: dymsum.ScalingSum(P, Q).events(1, Fraction(9, 8), f)),
     ("ScalingSum.next_event", lambda f: dymsum.ScalingSum(P, Q).next_event(1, 8, dymsum.EventChange.topology, f)),
     ("RotationFamily", lambda f: dymsum.RotationFamily(P, Q, dymsum.FamilyOptions(progress=f))),

@@ -30,6 +30,7 @@ const std::vector<std::string> kRooms = {
     "planar/window",
     "planar/frame",
     "planar/family",
+    "planar/edit",
     "cspace/events",
     "cspace/boundary",
     "cspace/obstacle",

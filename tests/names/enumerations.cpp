@@ -4,6 +4,7 @@
 #include "dymsum/convex_solid.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/decomposition.h"
+#include "dymsum/editable_sum.h"
 #include "dymsum/family.h"
 #include "dymsum/fill.h"
 #include "dymsum/growing_disc.h"
@@ -52,6 +53,7 @@ std::vector<Enumerators> enumerations() {
           of<Discontinuity>("Discontinuity"),
           of<Engine>("Engine"),
           of<ErrorCode>("ErrorCode"),
+          of<EditKind>("EditKind"),
           of<EventChange>("EventChange"),
           of<EventKind>("EventKind"),
           of<FacetChange::Kind>("Kind"),

@@ -1,0 +1,264 @@
+#include "dymsum/editable_sum.h"
+
+#include <chrono>
+#include <deque>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "planar/edit/region_edits.h"
+#include "planar/edit/sum_state.h"
+#include "planar/region/region_validate.h"
+
+namespace dymsum {
+
+Edit Edit::move(MovingOperand operand, std::uint32_t vertex, Point to) {
+  Edit e;
+  e.kind = EditKind::move, e.operand = operand, e.vertex = vertex, e.at = to;
+  return e;
+}
+Edit Edit::insert(MovingOperand operand, std::uint32_t after, Point at) {
+  Edit e;
+  e.kind = EditKind::insert, e.operand = operand, e.vertex = after, e.at = at;
+  return e;
+}
+Edit Edit::remove(MovingOperand operand, std::uint32_t vertex) {
+  Edit e;
+  e.kind = EditKind::remove, e.operand = operand, e.vertex = vertex;
+  return e;
+}
+Edit Edit::extrude(MovingOperand operand, std::uint32_t first, std::uint32_t last, Point by) {
+  Edit e;
+  e.kind = EditKind::extrude, e.operand = operand, e.vertex = first, e.last = last, e.at = by;
+  return e;
+}
+Edit Edit::invert(MovingOperand operand, std::uint32_t vertex) {
+  Edit e;
+  e.kind = EditKind::invert, e.operand = operand, e.vertex = vertex;
+  return e;
+}
+Edit Edit::add_hole(MovingOperand operand, std::uint32_t part, Ring ring) {
+  Edit e;
+  e.kind = EditKind::add_hole, e.operand = operand, e.part = part, e.added.outer = std::move(ring);
+  return e;
+}
+Edit Edit::remove_hole(MovingOperand operand, std::uint32_t part, std::uint32_t hole) {
+  Edit e;
+  e.kind = EditKind::remove_hole, e.operand = operand, e.part = part, e.hole = hole;
+  return e;
+}
+Edit Edit::add_part(MovingOperand operand, Part part) {
+  Edit e;
+  e.kind = EditKind::add_part, e.operand = operand, e.added = std::move(part);
+  return e;
+}
+Edit Edit::remove_part(MovingOperand operand, std::uint32_t part) {
+  Edit e;
+  e.kind = EditKind::remove_part, e.operand = operand, e.part = part;
+  return e;
+}
+
+namespace {
+
+using planar::VertexOrigins;
+
+// An operand as it is or was, with the names of its vertices.
+struct NamedRegion {
+  Region region;
+  std::vector<std::uint64_t> names;
+};
+using Operands = std::array<std::shared_ptr<const NamedRegion>, 2>;
+
+// A step from the state before it to the one after it: origins[op] empty where nothing changed.
+struct MadeStep {
+  Operands before, after;
+  std::array<VertexOrigins, 2> origins;
+};
+
+// The vertices after that those before became.
+VertexOrigins reversed(const VertexOrigins& origins, std::size_t size) {
+  VertexOrigins back(size, planar::kNone);
+  for (std::uint32_t v = 0; v < origins.size(); ++v)
+    if (origins[v] != planar::kNone) back[origins[v]] = v;
+  return back;
+}
+
+}  // namespace
+
+class EditableSum::State {
+ public:
+  State(const Region& p, const Region& q, const EditOptions& options) : options_(options), sum_(options) {
+    for (const Region* region : {&p, &q}) {
+      auto named = std::make_shared<NamedRegion>();
+      named->region = planar::trusted_region(region->data(), region->touching_points());
+      for (std::size_t v = 0; v < region->vertex_count(); ++v) named->names.push_back(next_name_++);
+      operands_[region == &p ? 0 : 1] = std::move(named);
+    }
+  }
+
+  Result<FrameChanges> start() {
+    return timed([&] { return sum_.start({{&region(0), &region(1)}, {}}); });
+  }
+
+  Result<FrameChanges> edit(std::span<const Edit> edits) {
+    return timed([&]() -> Result<FrameChanges> {
+      Result<MadeStep> step = make(edits);
+      if (!step) return step.error();
+      Result<FrameChanges> changes = go(step->after, step->origins);
+      if (!changes) return changes;
+      undone_.clear();
+      done_.push_back(std::move(step).value());
+      if (done_.size() > options_.undo_steps) done_.pop_front();
+      return changes;
+    });
+  }
+
+  Result<FrameChanges> undo() {
+    if (done_.empty()) return Error{ErrorCode::out_of_range, "there is no step to undo", {}};
+    return timed([&] {
+      const MadeStep& step = done_.back();
+      std::array<VertexOrigins, 2> origins;
+      for (std::size_t op = 0; op < 2; ++op)
+        if (step.before[op] != step.after[op]) origins[op] = reversed(step.origins[op], step.before[op]->names.size());
+      Result<FrameChanges> changes = go(step.before, origins);
+      if (!changes) return changes;
+      undone_.push_back(std::move(done_.back()));
+      done_.pop_back();
+      return changes;
+    });
+  }
+
+  Result<FrameChanges> redo() {
+    if (undone_.empty()) return Error{ErrorCode::out_of_range, "there is no step to make again", {}};
+    return timed([&] {
+      Result<FrameChanges> changes = go(undone_.back().after, undone_.back().origins);
+      if (!changes) return changes;
+      done_.push_back(std::move(undone_.back()));
+      undone_.pop_back();
+      return changes;
+    });
+  }
+
+  std::size_t undo_count() const { return done_.size(); }
+  std::size_t redo_count() const { return undone_.size(); }
+  const Region& region(std::size_t op) const { return operands_[op]->region; }
+  const std::vector<std::uint64_t>& names(std::size_t op) const { return operands_[op]->names; }
+  planar::EditedSum& sum() { return sum_; }
+
+ private:
+  template <class Make>
+  Result<FrameChanges> timed(const Make& make) {
+    const auto start = std::chrono::steady_clock::now();
+    const EditWork before = std::exchange(sum_.work(), {});
+    Result<FrameChanges> changes = make();
+    if (!changes) sum_.work() = before;
+    else sum_.work().ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return changes;
+  }
+
+  // The operands after the edits.
+  Result<MadeStep> make(std::span<const Edit> edits) {
+    MadeStep step{operands_, operands_, {}};
+    std::array<std::optional<planar::EditedData>, 2> edited;
+    for (const Edit& edit : edits) {
+      const std::size_t op = edit.operand == MovingOperand::p ? 0 : 1;
+      if (!edited[op]) {
+        edited[op].emplace();
+        edited[op]->data = region(op).data();
+        edited[op]->origins.resize(names(op).size());
+        std::iota(edited[op]->origins.begin(), edited[op]->origins.end(), 0u);
+      }
+      if (const Result<void> made = planar::apply(edit, *edited[op]); !made) return made.error();
+    }
+    std::uint64_t next = next_name_;
+    for (std::size_t op = 0; op < 2; ++op) {
+      if (!edited[op]) continue;
+      step.origins[op] = edited[op]->origins;
+      Result<Region> region = planar::edited_region(this->region(op), *std::move(edited[op]));
+      if (!region) return region.error();
+      auto named = std::make_shared<NamedRegion>();
+      named->region = std::move(region).value();
+      for (const std::uint32_t v : step.origins[op]) named->names.push_back(v == planar::kNone ? next++ : names(op)[v]);
+      step.after[op] = std::move(named);
+    }
+    next_name_ = next;
+    return step;
+  }
+
+  Result<FrameChanges> go(const Operands& to, const std::array<VertexOrigins, 2>& origins) {
+    planar::EditedSum::Step step{{&to[0]->region, &to[1]->region}, {}};
+    for (std::size_t op = 0; op < 2; ++op)
+      if (to[op] != operands_[op]) step.origins[op] = &origins[op];
+    Result<FrameChanges> changes = sum_.follow(step);
+    if (changes) operands_ = to;
+    return changes;
+  }
+
+  EditOptions options_;
+  Operands operands_;
+  std::uint64_t next_name_ = 1;
+  planar::EditedSum sum_;
+  std::deque<MadeStep> done_;
+  std::vector<MadeStep> undone_;
+};
+
+Result<EditableSum> EditableSum::create(const Region& p, const Region& q, const EditOptions& options) {
+  auto state = std::make_unique<State>(p, q, options);
+  if (const Result<FrameChanges> made = state->start(); !made) return made.error();
+  return EditableSum(std::move(state));
+}
+
+EditableSum::EditableSum(std::unique_ptr<State> state) : state_(std::move(state)) {}
+EditableSum::EditableSum(EditableSum&&) noexcept = default;
+EditableSum& EditableSum::operator=(EditableSum&&) noexcept = default;
+EditableSum::~EditableSum() = default;
+
+Result<FrameChanges> EditableSum::edit(std::span<const Edit> edits) { return state_->edit(edits); }
+Result<FrameChanges> EditableSum::undo() { return state_->undo(); }
+Result<FrameChanges> EditableSum::redo() { return state_->redo(); }
+std::size_t EditableSum::undo_count() const { return state_->undo_count(); }
+std::size_t EditableSum::redo_count() const { return state_->redo_count(); }
+const Region& EditableSum::p() const { return state_->region(0); }
+const Region& EditableSum::q() const { return state_->region(1); }
+const std::vector<std::uint64_t>& EditableSum::vertex_names(MovingOperand operand) const {
+  return state_->names(operand == MovingOperand::p ? 0 : 1);
+}
+const PlanarSum& EditableSum::sum() const { return state_->sum().sum(); }
+std::vector<std::uint64_t> EditableSum::ring_ids() const { return state_->sum().ring_ids(); }
+const EditWork& EditableSum::work() const { return state_->sum().work(); }
+
+std::uint64_t EditableSum::hash() const {
+  std::uint64_t h = 0;
+  const PlanarSum& s = sum();
+  const auto number = [&](std::uint64_t n) { h = planar::mixed(h, n); };
+  const auto vertex = [&](const SumVertex& v) {
+    const RationalPoint at = s.exact(v);
+    for (const std::string& text : {at.x.to_string(), at.y.to_string()})
+      for (const char c : text) number(static_cast<unsigned char>(c));
+  };
+  const auto ring = [&](const SumRing& r) {
+    number(r.vertices.size());
+    for (const SumVertex& v : r.vertices) vertex(v);
+  };
+  const auto segments = [&](const std::vector<SumSegment>& list) {
+    number(list.size());
+    for (const SumSegment& segment : list) vertex(segment.from), vertex(segment.to);
+  };
+  const auto points = [&](const std::vector<SumVertex>& list) {
+    number(list.size());
+    for (const SumVertex& v : list) vertex(v);
+  };
+  number(s.parts.size());
+  for (const SumPart& part : s.parts) {
+    ring(part.outer);
+    number(part.holes.size());
+    for (const SumRing& hole : part.holes) ring(hole);
+  }
+  segments(s.segments);
+  points(s.points);
+  segments(s.tight_segments);
+  points(s.tight_points);
+  return h;
+}
+
+}  // namespace dymsum
