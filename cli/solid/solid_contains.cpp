@@ -63,11 +63,11 @@ void print_text(const std::vector<RationalPoint3>& positions, const std::vector<
 ExitCode run_solid_contains(const SolidContains& command) {
   const std::vector<RationalPoint3> positions = read_positions(command);
   const bool open = command.semantics == "open";
-  const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
+  const std::vector<SolidInput> inputs = read_solids_and_results(command.operands, command.input);
   const InterruptGuard guard;
   const auto [inside, timing] = timed(command.report.repeat, [&] {
     Result<std::vector<bool>> made =
-        contains_each(inputs[0].mesh, inputs[1].mesh, positions, open ? Semantics::open : Semantics::closed);
+        contains_each(inputs[0].operand(), inputs[1].operand(), positions, open ? Semantics::open : Semantics::closed);
     if (!made) stop_with(in_solid_operand(made.error(), inputs));
     return *std::move(made);
   });

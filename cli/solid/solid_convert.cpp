@@ -31,6 +31,7 @@ SolidInput exact_input(const SolidConvert& command) {
     input = std::move(read_by_planes({command.in}, command.input)[0]);
     input.result = input.by_planes;
   }
+  input.fractions = true;
   return input;
 }
 

@@ -90,7 +90,7 @@ ExitCode show_result(const SolidInfo& command, const SpatialSum& sum, ReadingNot
     return kDone;
   }
   SolidInput input{command.file, Mesh()};
-  input.result = sum, input.notes = std::move(notes);
+  input.result = sum, input.fractions = true, input.notes = std::move(notes);
   Json json = report_head("info", solid_inputs_json({input}), 0, timing);
   json.update({{"valid", true}, {"exact", true}, {"edges", sum.edges().size()}, {"bounds", bounds_json(sum)}});
   json.update(solid_sum_json(sum, false));
@@ -114,7 +114,7 @@ ExitCode run_solid_info(const SolidInfo& command) {
     if (!command.input.planes.empty()) return read_by_planes({command.file}, command.input)[0];
     return make_solid(require(read_mesh_data(command.file, command.input)), command.file, command.input);
   });
-  if (solid && solid->result) return show_result(command, *solid->result, solid->notes, timing);
+  if (solid && solid->fractions) return show_result(command, *solid->result, solid->notes, timing);
   if (!solid) {
     if (command.json) print_report(invalid_json(solid.error(), timing));
     else std::cout << "not valid (" << name(solid.error().code) << ")\n";

@@ -211,7 +211,7 @@ SolidInput input_of(SolidByPlanes made, const std::string& file, ReadingNotes no
   input.notes = std::move(notes);
   input.by_planes = std::move(made.solid);
   if (Result<Mesh> mesh = as_mesh(*input.by_planes)) input.mesh = mesh->canonical();
-  else input.result = input.by_planes;
+  else input.result = input.by_planes, input.fractions = true;
   return input;
 }
 
@@ -262,7 +262,7 @@ SolidInput read_solid(const std::string& file, const InputOptions& options) {
 Json solid_inputs_json(const std::vector<SolidInput>& inputs) {
   Json list = Json::array();
   for (const SolidInput& input : inputs) {
-    const bool exact = input.result.has_value();
+    const bool exact = input.fractions;
     list.push_back({{"file", input.file},
                     {"vertices", exact ? input.result->vertices.size() : input.mesh.vertices().size()},
                     {"faces", exact ? input.result->faces.size() : input.mesh.faces().size()},

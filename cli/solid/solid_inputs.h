@@ -7,6 +7,7 @@
 
 #include "dymsum/mesh.h"
 #include "dymsum/mesh_io.h"
+#include "dymsum/spatial_operand.h"
 #include "dymsum/spatial_sum.h"
 #include "inputs.h"
 #include "report.h"
@@ -18,10 +19,14 @@ struct SolidInput {
   Mesh mesh;
   std::optional<HullReport> hull = {};  ///< where --hull was requested
   ReadingNotes notes = Json::object();
-  /// Of a file that holds an exact one whose vertices no doubles hold; `mesh` is empty then.
+  /// Of a file that holds an exact one whose vertices no doubles hold, or with something tight.
   std::optional<SpatialSum> result = {};
+  bool fractions = false;  ///< no doubles hold the vertices of `result`: `mesh` does not have its regular part
   /// A solid by its planes, also where `mesh` has it.
   std::optional<SpatialSum> by_planes = {};
+
+  /// For what takes results.
+  SpatialOperand operand() const { return result ? SpatialOperand(*result) : SpatialOperand(mesh); }
 };
 
 /// Stops with wrong usage for FILE#NAME where FILE is one of a solid.

@@ -35,7 +35,7 @@ void require_solid(const std::string& verb, const std::vector<std::string>& file
 
 std::vector<SolidInput> read_solids(const std::vector<std::string>& files, const InputOptions& options) {
   std::vector<SolidInput> inputs = read_solids_and_results(files, options);
-  refuse_fractions(inputs);
+  refuse_fractions(inputs, options.quiet);
   return inputs;
 }
 

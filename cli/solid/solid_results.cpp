@@ -18,11 +18,8 @@ void refuse_options_of_doubles(const std::string& file, const InputOptions& opti
                              " holds an exact result; dymsum convert writes it in doubles, as .off");
 }
 
-/// Results in fractions are not taken everywhere.
-SolidInput in_fractions(const std::string& file, SpatialSum sum) {
-  SolidInput input{file, Mesh()};
-  input.result = std::move(sum);
-  return input;
+std::size_t tight_features(const SpatialSum& sum) {
+  return sum.tight_faces.size() + sum.tight_segments.size() + sum.tight_points.size();
 }
 
 }  // namespace
@@ -41,23 +38,27 @@ SpatialSum read_solid_result(const std::string& file, const InputOptions& option
 
 SolidInput result_operand(const std::string& file, const InputOptions& options) {
   SpatialSum sum = read_solid_result(file, options);
-  const std::size_t tight = sum.tight_faces.size() + sum.tight_segments.size() + sum.tight_points.size();
-  if (tight > 0 && !options.quiet)
-    std::cerr << shown_file(file) << ": " << counted(tight, "tight feature") << " left out: an operand is the solid\n";
-  if (Result<Mesh> mesh = as_mesh(sum)) return {file, *std::move(mesh)};
-  return in_fractions(file, std::move(sum));
+  SolidInput input{file, Mesh()};
+  if (Result<Mesh> mesh = as_mesh(sum)) input.mesh = *std::move(mesh);
+  else input.fractions = true;
+  if (input.fractions || tight_features(sum) > 0) input.result = std::move(sum);
+  return input;
 }
 
-void refuse_fractions(const std::vector<SolidInput>& inputs) {
-  for (const SolidInput& input : inputs)
-    if (input.result)
+void refuse_fractions(const std::vector<SolidInput>& inputs, bool quiet) {
+  for (const SolidInput& input : inputs) {
+    if (input.fractions)
       throw Stop(kBadInput, shown_file(input.file) +
                                 (input.notes.contains("planes")
                                      ? ": by its planes, the vertices of this solid are fractions, which "
                                      : ": the vertices of this exact result are fractions, which ") +
-                                " sum, nfp and erode take, and "
-                                "opening, closing and offset as the first operand; others take it in doubles, as "
-                                "dymsum convert FILE.json FILE.off writes it");
+                                "sum, nfp, erode, opening, closing, offset, union, intersect, subtract, contains, "
+                                "info, convert and check take; others take it in doubles, as dymsum convert FILE.json "
+                                "FILE.off writes it");
+    if (input.result && !quiet)
+      std::cerr << shown_file(input.file) << ": " << counted(tight_features(*input.result), "tight feature")
+                << " left out: an operand here is the solid\n";
+  }
 }
 
 }  // namespace dymsum::cli

@@ -16,10 +16,11 @@ bool holds_solid_result(const std::string& file, const InputOptions& options);
 /// That result, as it is. Stops where it is none, and for options that are for coordinates in doubles.
 SpatialSum read_solid_result(const std::string& file, const InputOptions& options);
 
-/// As an operand: its regular part, a solid like any other where doubles hold its vertices.
+/// As an operand: where doubles hold its vertices its regular part is a solid like any other.
 SolidInput result_operand(const std::string& file, const InputOptions& options);
 
-/// Stops where an input is a result that no doubles hold, and says what takes it and what writes it in doubles.
-void refuse_fractions(const std::vector<SolidInput>& inputs);
+/// For verbs that take solids in doubles. Stops where an input is a result that no doubles hold, and says what takes it
+/// and what writes it in doubles; says what is left out where something is tight.
+void refuse_fractions(const std::vector<SolidInput>& inputs, bool quiet);
 
 }  // namespace dymsum::cli

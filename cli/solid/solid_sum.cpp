@@ -2,23 +2,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 
-#include "dymsum/solid_union.h"
 #include "report.h"
 #include "solid/solid_limits.h"
 #include "solid/solid_operands.h"
-#include "solid/solid_results.h"
 #include "solid/solid_run.h"
 
 namespace dymsum::cli {
 namespace {
 
-bool is_result(const SolidInput& input) { return input.result || input.by_planes; }
-
-/// The exact result that an input is.
-Result<SpatialSum> result_of(const SolidInput& input, const SpatialOptions& options) {
-  if (input.by_planes) return *input.by_planes;
-  return input.result ? *input.result : united(std::span(&input.mesh, 1), options);
+/// Two operands: as they are by their planes where both are so.
+std::array<SpatialOperand, 2> operands_of(const SolidInput& p, const SolidInput& q) {
+  if (p.by_planes && q.by_planes) return {*p.by_planes, *q.by_planes};
+  return {p.operand(), q.operand()};
 }
 
 /// The operand of a sum: its second one inside out where the verb says so.
@@ -30,23 +27,14 @@ SolidInput term_of(const SumVerb& verb, SolidInput input, bool second) {
   return input;
 }
 
-Result<SpatialSum> sum_of_two(const SolidInput& p, const SolidInput& q, const SpatialOptions& options) {
-  if (p.by_planes && q.by_planes) return minkowski_sum(*p.by_planes, *q.by_planes, options);
-  if (p.result && q.result) return minkowski_sum(*p.result, *q.result, options);
-  if (p.result) return minkowski_sum(*p.result, q.mesh, options);
-  return q.result ? minkowski_sum(p.mesh, *q.result, options) : minkowski_sum(p.mesh, q.mesh, options);
-}
-
-/// All operands in their order.
-Result<SpatialSum> sum_with_results(const SumVerb& verb, const std::vector<SolidInput>& inputs,
-                                    const SpatialOptions& options) {
-  if (!verb.is_sum) {
-    const Result<SpatialSum> p = result_of(inputs[0], options), q = result_of(inputs[1], options);
-    return !p ? p : !q ? q : verb.result(*p, *q, options);
-  }
+/// One after the other, in their order.
+Result<SpatialSum> sum_in_order(const SumVerb& verb, const std::vector<SolidInput>& inputs,
+                                const SpatialOptions& options) {
   SolidInput sum = inputs[0];
   for (std::size_t k = 1; k < inputs.size(); ++k) {
-    Result<SpatialSum> next = sum_of_two(sum, term_of(verb, inputs[k], k == 1), options);
+    const SolidInput term = term_of(verb, inputs[k], k == 1);
+    const auto [p, q] = operands_of(sum, term);
+    Result<SpatialSum> next = minkowski_sum(p, q, options);
     if (!next) return next;
     sum.result = *std::move(next);
     if (sum.by_planes) sum.by_planes = sum.result;
@@ -55,11 +43,22 @@ Result<SpatialSum> sum_with_results(const SumVerb& verb, const std::vector<Solid
 }
 
 Result<SpatialSum> sum_of(const SumVerb& verb, const std::vector<SolidInput>& inputs, const SpatialOptions& options) {
-  if (std::any_of(inputs.begin(), inputs.end(), is_result)) return sum_with_results(verb, inputs, options);
-  if (inputs.size() == 2 && !verb.solids) return verb.solid(inputs[0].mesh, inputs[1].mesh, options);
+  const auto is_result = [](const SolidInput& input) { return input.result || input.by_planes; };
+  const bool results = std::any_of(inputs.begin(), inputs.end(), is_result);
+  if (verb.solids) {
+    std::vector<SpatialOperand> operands;
+    for (const SolidInput& input : inputs) operands.push_back(input.operand());
+    return verb.solids(operands, options);
+  }
+  if (verb.is_sum && results) return sum_in_order(verb, inputs, options);
+  if (inputs.size() == 2 && !results) return verb.solid(inputs[0].mesh, inputs[1].mesh, options);
+  if (verb.result) {
+    const auto [p, q] = operands_of(inputs[0], inputs[1]);
+    return verb.result(p, q, options);
+  }
   std::vector<Mesh> operands;
   for (const SolidInput& input : inputs) operands.push_back(input.mesh);
-  return verb.solids ? verb.solids(operands, options) : minkowski_sum(operands, options);
+  return minkowski_sum(operands, options);
 }
 
 }  // namespace
@@ -81,7 +80,6 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   operands.insert(operands.end(), command.more.begin(), command.more.end());
   are_solid(operands, command.input);
   const std::vector<SolidInput> inputs = read_solids_and_results(operands, command.input);
-  if (!verb.is_sum && !verb.result) refuse_fractions(inputs);
   const auto convex = [](const SolidInput& input) { return input.result || !convexity_error(input.mesh); };
   if (verb.is_sum && inputs.size() == 2 && !std::all_of(inputs.begin(), inputs.end(), convex))
     announce_cost(inputs[0].mesh, inputs[1].mesh);

@@ -31,7 +31,9 @@ void add_union(CLI::App& app, Action& action) {
       "With --semantics open operands are open: where they only touch, that is tight.\n"
       "Example: dymsum union plate.wkt rib.wkt boss.wkt -o part.json -o part.svg";
   verb.planar = [](std::span<const PlanarOperand> sets, const SumOptions& options) { return united(sets, options); };
-  verb.solids = [](std::span<const Mesh> solids, const SpatialOptions& options) { return united(solids, options); };
+  verb.solids = [](std::span<const SpatialOperand> solids, const SpatialOptions& options) {
+    return united(solids, options);
+  };
   add_sum_verb(app, verb, action);
 }
 
@@ -44,7 +46,7 @@ void add_intersect(CLI::App& app, Action& action) {
   verb.planar = [](std::span<const PlanarOperand> sets, const SumOptions& options) {
     return intersection(sets, options);
   };
-  verb.solids = [](std::span<const Mesh> solids, const SpatialOptions& options) {
+  verb.solids = [](std::span<const SpatialOperand> solids, const SpatialOptions& options) {
     return intersection(solids, options);
   };
   verb.empty_is_no = true;
@@ -63,7 +65,7 @@ void add_subtract(CLI::App& app, Action& action) {
     if (!taken) return taken;
     return difference(sets[0], *taken, options);
   };
-  verb.solids = [](std::span<const Mesh> solids, const SpatialOptions& options) {
+  verb.solids = [](std::span<const SpatialOperand> solids, const SpatialOptions& options) {
     return difference(solids[0], solids.subspan(1), options);
   };
   verb.empty_is_no = true;

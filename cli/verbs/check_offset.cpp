@@ -132,14 +132,14 @@ ExitCode run_planar_offset_check(const OffsetCheckCommand& command, const Requir
 }
 
 ExitCode run_solid_offset_check(const OffsetCheckCommand& command, const Required& required) {
-  const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
+  const std::vector<SolidInput> inputs = read_solids_and_results(command.operands, command.input);
   const InterruptGuard guard;
   std::optional<ProgressBar> bar;
   bar.emplace();
   SpatialOptions options;
   options.progress = bar->callback();
   const auto [check, timing] = timed(command.report.repeat, [&] {
-    return require(check_offset(inputs[0].mesh, inputs[1].mesh, required.side, options));
+    return require(check_offset(inputs[0].operand(), inputs[1].operand(), required.side, options));
   });
   bar.reset();
   return report_offset_check(command, required, solid_inputs_json(inputs), check, timing);

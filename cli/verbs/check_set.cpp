@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include "dymsum/set_check.h"
 #include "dymsum/solid_erosion.h"
@@ -14,7 +15,6 @@
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_operands.h"
-#include "solid/solid_results.h"
 #include "verbs/commands.h"
 
 namespace dymsum::cli {
@@ -26,7 +26,7 @@ struct CheckedSet {
   Operand first, second;
   std::string what;
   std::function<Result<PlanarSum>(const PlanarOperand&, const PlanarOperand&, const SumOptions&)> planar;
-  std::function<Result<SpatialSum>(const Mesh&, const Mesh&, const SpatialOptions&)> solid;
+  std::function<Result<SpatialSum>(const SpatialOperand&, const SpatialOperand&, const SpatialOptions&)> solid;
 };
 
 struct SetCheckCommand {
@@ -106,7 +106,6 @@ ExitCode run_planar_set_check(const SetCheckCommand& command, const CheckedSet& 
 ExitCode run_solid_set_check(const SetCheckCommand& command, const CheckedSet& of) {
   refuse_options(*command.parser, {"--semantics", "-o"}, "of " + of.name + " is for planar operands");
   const std::vector<SolidInput> inputs = read_solids_and_results(command.operands, command.input);
-  refuse_fractions({inputs.begin(), inputs.begin() + 2});
   const InterruptGuard guard;
   SpatialOptions options;
   options.semantics = Semantics::regular;
@@ -114,9 +113,8 @@ ExitCode run_solid_set_check(const SetCheckCommand& command, const CheckedSet& o
   bar.emplace();
   options.progress = bar->callback();
   const auto [check, timing] = timed(command.report.repeat, [&] {
-    const SpatialSum right = require(of.solid(inputs[0].mesh, inputs[1].mesh, options));
-    return require(inputs[2].result ? check_set(right, *inputs[2].result, options)
-                                    : check_set(right, inputs[2].mesh, options));
+    const SpatialSum right = require(of.solid(inputs[0].operand(), inputs[1].operand(), options));
+    return require(check_set(right, inputs[2].operand(), options));
   });
   bar.reset();
   return report_set_check(command, of, solid_inputs_json(inputs), check, timing);
@@ -168,16 +166,17 @@ void add_checked_set(CLI::App& app, Action& action, const CheckedSet& of) {
 }  // namespace
 
 void add_check_sum(CLI::App& app, Action& action) {
-  add_checked_set(
-      app, action,
-      {"check-sum",
-       {"P", "One operand"},
-       {"Q", "The other one"},
-       "the sum of P and Q",
-       [](const PlanarOperand& p, const PlanarOperand& q, const SumOptions& options) {
-         return minkowski_sum(p, q, options);
-       },
-       [](const Mesh& p, const Mesh& q, const SpatialOptions& options) { return minkowski_sum(p, q, options); }});
+  add_checked_set(app, action,
+                  {"check-sum",
+                   {"P", "One operand"},
+                   {"Q", "The other one"},
+                   "the sum of P and Q",
+                   [](const PlanarOperand& p, const PlanarOperand& q, const SumOptions& options) {
+                     return minkowski_sum(p, q, options);
+                   },
+                   [](const SpatialOperand& p, const SpatialOperand& q, const SpatialOptions& options) {
+                     return minkowski_sum(p, q, options);
+                   }});
 }
 
 void add_check_nfp(CLI::App& app, Action& action) {
@@ -188,8 +187,8 @@ void add_check_nfp(CLI::App& app, Action& action) {
        {"MOVING", "The shape that moves"},
        "the no-fit polygon of MOVING around FIXED, for the origin of MOVING's coordinates",
        [](const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) { return nfp(a, b, options); },
-       [](const Mesh& a, const Mesh& b, const SpatialOptions& options) {
-         return minkowski_sum(a, negated(b), options);
+       [](const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options) {
+         return std::visit([&](const auto* set) { return minkowski_sum(a, negated(*set), options); }, b.set());
        }});
 }
 
@@ -201,7 +200,9 @@ void add_check_fit(CLI::App& app, Action& action) {
        {"PART", "The one that is to fit"},
        "the inner fit of PART in CONTAINER, for the origin of PART's coordinates",
        [](const PlanarOperand& p, const PlanarOperand& q, const SumOptions& options) { return erode(p, q, options); },
-       [](const Mesh& p, const Mesh& q, const SpatialOptions& options) { return erode(p, q, options); }});
+       [](const SpatialOperand& p, const SpatialOperand& q, const SpatialOptions& options) {
+         return erode(p, q, options);
+       }});
 }
 
 }  // namespace dymsum::cli

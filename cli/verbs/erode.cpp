@@ -22,7 +22,7 @@ void add_erode(CLI::App& app, Action& action) {
     return erode(sets[0], sets[1], options);
   };
   verb.solid = [](const Mesh& a, const Mesh& b, const SpatialOptions& options) { return erode(a, b, options); };
-  verb.result = [](const SpatialSum& a, const SpatialSum& b, const SpatialOptions& options) {
+  verb.result = [](const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options) {
     return erode(a, b, options);
   };
   verb.reflects_second = true;

@@ -34,8 +34,7 @@ ExitCode run(const OffsetCommand& command) {
   const SolidRun run = read_solid_run("offset", command.solid);
   return run_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
     const SolidInput& input = run.inputs[0];
-    Result<SolidOffset> made = input.result ? offset(*input.result, command.by, tolerance, bound, options)
-                                            : offset(input.mesh, command.by, tolerance, bound, options);
+    Result<SolidOffset> made = offset(input.operand(), command.by, tolerance, bound, options);
     if (!made) return made.error();
     const Json more{{"by", command.by},
                     {"low", made->low},

@@ -7,7 +7,6 @@
 #include "dymsum/solid_erosion.h"
 #include "solid/solid_command.h"
 #include "solid/solid_operands.h"
-#include "solid/solid_results.h"
 #include "verbs/commands.h"
 #include "verbs/sum_command.h"
 
@@ -19,8 +18,8 @@ struct OpeningCommand {
   bool round_between = false;
 };
 
-using Operation = Result<SolidOpening> (*)(const Mesh&, const Mesh&, const SpatialOptions&, BetweenSteps);
-using ResultOperation = Result<SolidOpening> (*)(const SpatialSum&, const Mesh&, const SpatialOptions&, BetweenSteps);
+using Operation = Result<SolidOpening> (*)(const SpatialOperand&, const SpatialOperand&, const SpatialOptions&,
+                                           BetweenSteps);
 using PlanarOperation = Result<PlanarSum> (*)(const PlanarOperand&, const PlanarOperand&, const SumOptions&);
 
 /// What the verb is in the plane, and of solids.
@@ -28,7 +27,6 @@ struct TwoSteps {
   std::string name, set;
   PlanarOperation planar;
   Operation solid;
-  ResultOperation result;
 };
 
 ExitCode run_planar(const TwoSteps& steps, const OpeningCommand& command) {
@@ -60,12 +58,9 @@ ExitCode run(const TwoSteps& steps, const OpeningCommand& command) {
   const std::string& verb = steps.name;
   if (!are_solid(command.solid.operands, command.solid.input)) return run_planar(steps, command);
   const SolidRun run = read_solid_run(verb, command.solid);
-  refuse_fractions({run.inputs.begin() + 1, run.inputs.end()});
   const BetweenSteps between = command.round_between ? BetweenSteps::rounded : BetweenSteps::exact;
   return run_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
-    const Mesh& tool = run.inputs[1].mesh;
-    Result<SolidOpening> made = run.inputs[0].result ? steps.result(*run.inputs[0].result, tool, options, between)
-                                                     : steps.solid(run.inputs[0].mesh, tool, options, between);
+    Result<SolidOpening> made = steps.solid(run.inputs[0].operand(), run.inputs[1].operand(), options, between);
     if (!made) {
       Error error = made.error();
       if (error.code == ErrorCode::rounding_changed_topology && command.round_between)
@@ -104,12 +99,12 @@ void add(CLI::App& app, Action& action, const TwoSteps& steps, const std::string
 }  // namespace
 
 void add_opening(CLI::App& app, Action& action) {
-  add(app, action, {"opening", "(P ⊖ Q) ⊕ Q", opening, opening, opening},
+  add(app, action, {"opening", "(P ⊖ Q) ⊕ Q", opening, opening},
       "All of A that translates of B inside A cover: erosion, then sum; ends with 4 where B does not fit");
 }
 
 void add_closing(CLI::App& app, Action& action) {
-  add(app, action, {"closing", "(P ⊕ Q) ⊖ Q", closing, closing, closing},
+  add(app, action, {"closing", "(P ⊕ Q) ⊖ Q", closing, closing},
       "A with all that translates of -B outside of A do not reach: sum, then erosion");
 }
 

@@ -10,6 +10,7 @@
 
 #include "dymsum/orientation.h"
 #include "dymsum/planar_operand.h"
+#include "dymsum/spatial_operand.h"
 #include "dymsum/spatial_sum.h"
 #include "exit_code.h"
 #include "inputs.h"
@@ -30,12 +31,12 @@ struct SumVerb {
   /// The public function it calls, of regions and results: two, or where it takes several more.
   std::function<Result<PlanarSum>(std::span<const PlanarOperand>, const SumOptions&)> planar;
   std::function<Result<SpatialSum>(const Mesh&, const Mesh&, const SpatialOptions&)> solid;  ///< of solids
-  /// The same of exact results, where it is no sum; without it there are no such operands.
-  std::function<Result<SpatialSum>(const SpatialSum&, const SpatialSum&, const SpatialOptions&)> result;
+  /// The same of exact results, where it is no sum.
+  std::function<Result<SpatialSum>(const SpatialOperand&, const SpatialOperand&, const SpatialOptions&)> result;
   bool boolean = false;    ///< a Boolean operation, which has no convolution
   bool two_steps = false;  ///< made of two operations: neither has the convolution, nor the stages, of the operands
-  /// The sum of any number of solids; without it more than two are added.
-  std::function<Result<SpatialSum>(std::span<const Mesh>, const SpatialOptions&)> solids;
+  /// Of any number of solids and results; without it more than two are added.
+  std::function<Result<SpatialSum>(std::span<const SpatialOperand>, const SpatialOptions&)> solids;
   std::string semantics = "closed";        ///< where --semantics is not given
   bool reflects_second = false;            ///< the convolution behind it is that of P and -Q
   bool empty_is_no = false;                ///< an empty result ends with kNo

@@ -68,6 +68,7 @@
 #include "dymsum/solid_sum_io.h"
 #include "dymsum/solid_union.h"
 #include "dymsum/solids.h"
+#include "dymsum/spatial_operand.h"
 #include "dymsum/spatial_sum.h"
 #include "dymsum/spatial_trace.h"
 #include "dymsum/sum_io.h"

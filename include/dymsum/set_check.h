@@ -10,6 +10,7 @@
 #include "dymsum/progress.h"
 #include "dymsum/rational.h"
 #include "dymsum/result.h"
+#include "dymsum/spatial_operand.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum {
@@ -83,8 +84,8 @@ struct SolidSetCheck {
 /// Compares closures of interiors, exactly. Errors: as Boolean operations of solids (solid_union.h); out_of_range where
 /// vertices on their common grid need more than 8,192 bits. Cost: that of two differences, and for each vertex of these
 /// O(n) for n faces of the other solid.
-Result<SolidSetCheck> check_set(const SpatialSum& right, const Mesh& made, const SpatialOptions& options = {});
-Result<SolidSetCheck> check_set(const SpatialSum& right, const SpatialSum& made, const SpatialOptions& options = {});
+Result<SolidSetCheck> check_set(const SpatialOperand& right, const SpatialOperand& made,
+                                const SpatialOptions& options = {});
 
 /// How a set lies to the offsets of A: by what distance it is one. Outside: A grown, so that it contains A; the
 /// distances are those from A. Inside: A shrunk, so that A contains it; the distances are those from the outside of A.
@@ -123,7 +124,7 @@ Result<PlanarOffsetCheck> check_offset(const PlanarOperand& a, const PlanarOpera
                                        const Progress& progress = {});
 /// The same of solids. Errors and cost: as check_set of solids; the least distance is that of O(n log n) pairs of faces
 /// where few are nearly as near as the nearest.
-Result<SolidOffsetCheck> check_offset(const Mesh& a, const Mesh& made, DiscSide side,
+Result<SolidOffsetCheck> check_offset(const SpatialOperand& a, const SpatialOperand& made, DiscSide side,
                                       const SpatialOptions& options = {});
 
 }  // namespace dymsum

@@ -3,6 +3,7 @@
 
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
+#include "dymsum/spatial_operand.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum {
@@ -12,12 +13,12 @@ namespace dymsum {
 /// positions with room to move and are seen from outside of these; its tight features are the positions without: a
 /// plate as thick as its slot has a face of them, a peg as wide as its tunnel a segment, a key in its cavity a point.
 /// Contacts name features of A and B. Exact. The result has no volume and no tight features where B fits nowhere.
-/// Cost: that of the sum of A with a box around it, and -B. Errors: as minkowski_sum; unsupported_operand for an empty
-/// B (every position holds it), and where A is too far from the origin to put a box around it.
+/// Parts without volume count in B; in A they hold nothing of a B that has none. Cost: that of the sum of A with a box
+/// around it, and -B. Errors: as minkowski_sum; unsupported_operand for an empty B (every position holds it), where
+/// both have parts without volume, and where A is too far from the origin to put a box around it.
 Result<SpatialSum> erode(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
-/// The same of the regular part of a sum, or of both, unrounded.
-Result<SpatialSum> erode(const SpatialSum& a, const Mesh& b, const SpatialOptions& options = {});
-Result<SpatialSum> erode(const SpatialSum& a, const SpatialSum& b, const SpatialOptions& options = {});
+/// The same of results, unrounded.
+Result<SpatialSum> erode(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options = {});
 
 /// What becomes of positions between two operations that are no doubles.
 enum class BetweenSteps : std::uint8_t {
@@ -38,17 +39,11 @@ struct SolidOpening {
 /// room to move is left. The result's own tight features are those of the open sum with int B, such as the seam
 /// between two copies of B side by side. Exact; where vertices of A (-) B are fractions, as those of most solids whose
 /// faces are not parallel to the axes, signs cost more: see BetweenSteps.
-Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions& options = {},
-                             BetweenSteps between = BetweenSteps::exact);
-
-/// The same of the regular part of a sum.
-Result<SolidOpening> opening(const SpatialSum& a, const Mesh& b, const SpatialOptions& options = {},
+Result<SolidOpening> opening(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options = {},
                              BetweenSteps between = BetweenSteps::exact);
 
 /// (A (+) B) (-) B: all positions that no x - B outside of A reaches. Likewise.
-Result<SolidOpening> closing(const Mesh& a, const Mesh& b, const SpatialOptions& options = {},
-                             BetweenSteps between = BetweenSteps::exact);
-Result<SolidOpening> closing(const SpatialSum& a, const Mesh& b, const SpatialOptions& options = {},
+Result<SolidOpening> closing(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options = {},
                              BetweenSteps between = BetweenSteps::exact);
 
 }  // namespace dymsum

@@ -5,6 +5,7 @@
 
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
+#include "dymsum/spatial_operand.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum {
@@ -38,10 +39,7 @@ struct SolidOffset {
 /// distance of at least -distance from its outside, up to the tolerance: the sum with a tessellated ball, or the inner
 /// fit of one. That sum or fit is exact. inside: `high` <= distance, outside: `low` >= distance. Errors: out_of_range
 /// as above, and for the distance 0; else as minkowski_sum and erode.
-Result<SolidOffset> offset(const Mesh& mesh, double distance, double tolerance, OffsetBound bound = OffsetBound::inside,
-                           const SpatialOptions& options = {});
-/// The same of the regular part of a sum, unrounded.
-Result<SolidOffset> offset(const SpatialSum& sum, double distance, double tolerance,
+Result<SolidOffset> offset(const SpatialOperand& set, double distance, double tolerance,
                            OffsetBound bound = OffsetBound::inside, const SpatialOptions& options = {});
 
 }  // namespace dymsum

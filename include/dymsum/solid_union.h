@@ -8,6 +8,7 @@
 #include "dymsum/mesh.h"
 #include "dymsum/named_repairs.h"
 #include "dymsum/result.h"
+#include "dymsum/spatial_operand.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum {
@@ -34,6 +35,17 @@ Result<SpatialSum> symmetric_difference(const Mesh& a, const Mesh& b, const Spat
 /// What lies in all of some solids (at least one, else out_of_range), or in `a` and in none of those `taken` away.
 Result<SpatialSum> intersection(std::span<const Mesh> solids, const SpatialOptions& options = {});
 Result<SpatialSum> difference(const Mesh& a, std::span<const Mesh> taken, const SpatialOptions& options = {});
+
+/// The same of operands of either kind, unrounded: their regular parts. Of results triangles are named as faces,
+/// counted on likewise.
+Result<SpatialSum> united(std::span<const SpatialOperand> sets, const SpatialOptions& options = {});
+Result<SpatialSum> intersection(std::span<const SpatialOperand> sets, const SpatialOptions& options = {});
+Result<SpatialSum> difference(const SpatialOperand& a, std::span<const SpatialOperand> taken,
+                              const SpatialOptions& options = {});
+Result<SpatialSum> intersection(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options = {});
+Result<SpatialSum> difference(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options = {});
+Result<SpatialSum> symmetric_difference(const SpatialOperand& a, const SpatialOperand& b,
+                                        const SpatialOptions& options = {});
 
 /// The named repair of surfaces that cross: what repair() repairs, it repairs. Where faces cross, touch or lie on each
 /// other after that, or bound nothing where they meet, the solid that they bound by `fill` is taken (united), with its

@@ -113,7 +113,7 @@ class SpatialSum {
   std::vector<std::optional<SolidContact>> vertex_contacts;
 
   /// Positions at which the operands touch without overlapping and that nothing outside comes near: passages exactly as
-  /// wide as the part.
+  /// wide as the part. Of two operands with thin parts, closed: positions of the sum that no interior of it comes near.
   std::vector<std::vector<std::vector<std::uint32_t>>> tight_faces;  ///< loops as of a face
   std::vector<std::array<std::uint32_t, 2>> tight_segments;          ///< that bound no tight face; from < to
   std::vector<std::uint32_t> tight_points;                           ///< that end no tight segment
@@ -202,14 +202,15 @@ class SpatialSum {
 /// motion.
 /// All others: O(N log N + K + T log T) for N facets, K of their pairs that meet and T points where three of them do.
 /// Thin parts (Mesh::with_thin_parts) of one operand: the open sum is int P + Q, Q having the thin parts; all else is
-/// the same, tight features included. Of both: the open sum is int P + Q and P + int Q together, and all else is the
-/// same, where no two thin parts can cross: no plate and what is not parallel to it. Where two can, closed and regular
-/// is the closure of the interior of P + Q, without tight features. Errors: cancelled; out_of_memory
-/// where options.memory does not suffice (the message names the need that is known or predicted by then) or the
-/// machine's memory does not; unsupported_operand for operands that are not both convex and whose coordinates need more
-/// than 8,192 bits on their common grid (doubles of any sizes have 2,099); for thin parts of both where their sum has
-/// no interior, and for the open sum of such that can cross, with the first two: `face` of P and `other_face` of Q.
-/// Source: Behar 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
+/// the same, tight features included. Of both: closed is all of P + Q, the closure of its interior as faces, and the
+/// faces, segments and points that the sums of thin parts add outside of that as what is tight; regular is that closure
+/// alone; the open sum is int P + Q and P + int Q together, and all else is the same, where no two thin parts can
+/// cross: no plate and what is not parallel to it. Errors: cancelled; out_of_memory where options.memory does not
+/// suffice (the message names the need that is known or predicted by then) or the machine's memory does not;
+/// unsupported_operand for operands that are not both convex and whose coordinates need more than 8,192 bits on their
+/// common grid (doubles of any sizes have 2,099); for thin parts of both where nothing is left of what is requested,
+/// and for the open sum of such that can cross, with the first two: `face` of P and `other_face` of Q. Source: Behar
+/// 2016, sections 2.3 to 2.6, corrected (docs/design/solid-sum.md).
 Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOptions& options = {});
 
 /// { -x : x in S }, exactly, with what is tight. O(n log n).
@@ -219,22 +220,19 @@ SpatialSum negated(const SpatialSum& sum);
 /// unsupported_operand with the position of a vertex that no doubles hold.
 Result<Mesh> as_mesh(const SpatialSum& sum);
 
-/// The sum of the regular part of a sum and a solid, or another sum's: nothing is rounded, whatever fractions the
-/// vertices are. Where they are no doubles, signs are those of integers over a common denominator of all vertices, or
-/// where that is long of fractions with denominators of their own, of any length. Faces name triangles and vertices of
-/// the operands as as_mesh would number them; of two operands by the same planes (by_planes), those of what they were
-/// before they were mapped. Errors: as minkowski_sum.
+/// The sum of results, as closed sets, and solids: nothing is rounded, whatever fractions the vertices are
+/// (spatial_operand.h).
 Result<SpatialSum> minkowski_sum(const SpatialSum& p, const Mesh& q, const SpatialOptions& options = {});
 Result<SpatialSum> minkowski_sum(const Mesh& p, const SpatialSum& q, const SpatialOptions& options = {});
 Result<SpatialSum> minkowski_sum(const SpatialSum& p, const SpatialSum& q, const SpatialOptions& options = {});
 
 /// The sum of several operands, at least one. Convex solids alone are added from the first one on, exactly whatever
 /// their coordinates (with the fast engine). Others are added two at a time: convex solids first, then other solids,
-/// then those with thin parts. Sums in between are operands, without what is tight; as the open sum of three takes
-/// nothing from that, nothing is lost. Two whose sum doubles hold, in units of a common denominator of at most 2^52,
-/// are added first; where there are none, vertices in between are fractions, as above. Faces name features of the last
-/// two. Errors: as minkowski_sum, with the number of operands that were added in the message.
-/// Cost: that of all sums in between, and of those that are tried.
+/// then those with thin parts. Sums in between are operands, as closed sets: what is tight in them lies within, and the
+/// open sum of three takes nothing from that. Two whose sum doubles hold, in units of a common denominator of at most
+/// 2^52, are added first; where there are none, vertices in between are fractions, as above. Faces name features of the
+/// last two. Errors: as minkowski_sum, with the number of operands that were added in the message. Cost: that of all
+/// sums in between, and of those that are tried.
 Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOptions& options = {});
 
 /// True when z lies in the sum: P and z - Q meet (closed, regular), or their interiors do (open; of thin parts: they

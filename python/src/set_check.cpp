@@ -7,6 +7,7 @@
 #include "enumeration.h"
 #include "planar_operand.h"
 #include "record.h"
+#include "spatial_operand.h"
 
 namespace dymsum::python {
 namespace {
@@ -128,8 +129,8 @@ void bind_set_check(nb::module_& m) {
 )doc");
   m.def(
       "check_set",
-      [](const SpatialSum& right, const Mesh& made, const SpatialOptions& options) {
-        return run_with(options, [&](const SpatialOptions& own) { return check_set(right, made, own); });
+      [](const SpatialOperandArgument& right, const SpatialOperandArgument& made, const SpatialOptions& options) {
+        return run_with(options, [&](const SpatialOptions& own) { return check_set(*right, *made, own); });
       },
       "right"_a, "made"_a, "options"_a = SpatialOptions(),
       R"doc(The same of solids. Raises Error: unsupported_operand, out_of_range, cancelled, out_of_memory.
@@ -140,12 +141,6 @@ void bind_set_check(nb::module_& m) {
 >>> check.contained(), check.missing.set.volume_exact(), check.missing.squared, check.within(0.5).name
 (True, Fraction(2, 1), Fraction(1, 4), 'right')
 )doc");
-  m.def(
-      "check_set",
-      [](const SpatialSum& right, const SpatialSum& made, const SpatialOptions& options) {
-        return run_with(options, [&](const SpatialOptions& own) { return check_set(right, made, own); });
-      },
-      "right"_a, "made"_a, "options"_a = SpatialOptions());
   m.def(
       "check_offset",
       [](const PlanarOperandArgument& a, const PlanarOperandArgument& made, DiscSide side, const Progress& progress) {
@@ -161,8 +156,9 @@ void bind_set_check(nb::module_& m) {
 )doc");
   m.def(
       "check_offset",
-      [](const Mesh& a, const Mesh& made, DiscSide side, const SpatialOptions& options) {
-        return run_with(options, [&](const SpatialOptions& own) { return check_offset(a, made, side, own); });
+      [](const SpatialOperandArgument& a, const SpatialOperandArgument& made, DiscSide side,
+         const SpatialOptions& options) {
+        return run_with(options, [&](const SpatialOptions& own) { return check_offset(*a, *made, side, own); });
       },
       "a"_a, "made"_a, "side"_a, "options"_a = SpatialOptions(),
       "The same of solids. Raises Error: unsupported_operand, out_of_range, cancelled, out_of_memory.");

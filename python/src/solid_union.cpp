@@ -11,6 +11,7 @@
 #include "enumeration.h"
 #include "record.h"
 #include "remember.h"
+#include "spatial_operand.h"
 
 namespace dymsum::python {
 namespace {
@@ -22,16 +23,6 @@ void bind_fill(nb::module_& m) {
       m, "Fill", "Which positions lie inside of closed rings or surfaces, by how often these go around them.",
       {"once or more: the union of sets, their holes taken out",
        "the same, also of sets whose boundaries run the other way", "an odd number: what lies in two sets is outside"});
-}
-
-/// The solids, and the objects to be remembered.
-std::pair<std::vector<Mesh>, nb::list> taken_apart(const Many<Mesh>& solids) {
-  std::pair<std::vector<Mesh>, nb::list> apart;
-  for (const MeshArgument& one : solids.items) {
-    apart.first.push_back(*one);
-    apart.second.append(one.object);
-  }
-  return apart;
 }
 
 void bind_unions(nb::module_& m) {
@@ -46,10 +37,11 @@ void bind_unions(nb::module_& m) {
 count as their triangles. Raises Error: not_finite; bad_index; not_closed with a position; cancelled; out_of_memory.)");
   m.def(
       "united",
-      [](const Many<Mesh>& solids, const SpatialOptions& options) {
-        const auto [all, kept] = taken_apart(solids);
-        SpatialSum solid = run_with(
-            options, [&, &all = all](const SpatialOptions& own) { return united(std::span<const Mesh>(all), own); });
+      [](const SpatialOperands& solids, const SpatialOptions& options) {
+        const auto [all, kept] = operands_of(solids);
+        SpatialSum solid = run_with(options, [&, &all = all](const SpatialOptions& own) {
+          return united(std::span<const SpatialOperand>(all), own);
+        });
         return remembered(std::move(solid), "united", kept, options);
       },
       "solids"_a, "options"_a = SpatialOptions(), R"(The union of any number of solids, exactly.
@@ -60,13 +52,13 @@ Fraction(15, 1)
 )");
 }
 
-using OfTwo = Result<SpatialSum> (*)(const Mesh&, const Mesh&, const SpatialOptions&);
+using OfTwo = Result<SpatialSum> (*)(const SpatialOperand&, const SpatialOperand&, const SpatialOptions&);
 
 template <OfTwo operation>
 void bind_of_two(nb::module_& m, const char* name, const char* text) {
   m.def(
       name,
-      [name](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options) {
+      [name](const SpatialOperandArgument& a, const SpatialOperandArgument& b, const SpatialOptions& options) {
         SpatialSum solid = run_with(options, [&](const SpatialOptions& own) { return operation(*a, *b, own); });
         return remembered(std::move(solid), name, a.object, b.object, options);
       },
@@ -132,10 +124,10 @@ void bind_solid_union(nb::module_& m) {
   bind_of_two<intersection>(m, "intersection", "What lies in both solids, exactly: closed and regular.");
   m.def(
       "intersection",
-      [](const Many<Mesh>& solids, const SpatialOptions& options) {
-        const auto [all, kept] = taken_apart(solids);
+      [](const SpatialOperands& solids, const SpatialOptions& options) {
+        const auto [all, kept] = operands_of(solids);
         SpatialSum solid = run_with(options, [&, &all = all](const SpatialOptions& own) {
-          return intersection(std::span<const Mesh>(all), own);
+          return intersection(std::span<const SpatialOperand>(all), own);
         });
         return remembered(std::move(solid), "intersection", kept, options);
       },

@@ -7,10 +7,12 @@
 #include "dymsum/solid_erosion.h"
 #include "dymsum/solid_offset.h"
 #include "dymsum/solid_slice.h"
+#include "dymsum/spatial_operand.h"
 #include "dymsum/spatial_sum.h"
 #include "enumeration.h"
 #include "record.h"
 #include "remember.h"
+#include "spatial_operand.h"
 
 namespace dymsum::python {
 namespace {
@@ -18,14 +20,6 @@ namespace {
 using namespace nb::literals;
 
 void bind_sums_of_solids(nb::module_& m) {
-  m.def(
-      "minkowski_sum",
-      [](const MeshArgument& p, const MeshArgument& q, const SpatialOptions& options) {
-        SpatialSum sum = run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(*p, *q, own); });
-        return remembered(std::move(sum), "solid_sum", p.object, q.object, options);
-      },
-      "p"_a, "q"_a, "options"_a = SpatialOptions(),
-      "The exact sum of two solids of any shape. Raises Error: cancelled; out_of_memory; unsupported_operand.");
   m.def(
       "minkowski_sum",
       [](const Many<Mesh>& operands, const SpatialOptions& options) {
@@ -42,48 +36,27 @@ void bind_sums_of_solids(nb::module_& m) {
       "operands"_a, "options"_a = SpatialOptions(), "The sum of several operands, at least one.");
   m.def(
       "minkowski_sum",
-      [](nb::handle_t<SpatialSum> p, const MeshArgument& q, const SpatialOptions& options) {
-        const SpatialSum& first = nb::cast<const SpatialSum&>(p);
-        SpatialSum sum = run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(first, *q, own); });
-        return remembered(std::move(sum), "solid_sum", p, q.object, options);
+      [](const SpatialOperandArgument& p, const SpatialOperandArgument& q, const SpatialOptions& options) {
+        SpatialSum sum = run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(*p, *q, own); });
+        return remembered(std::move(sum), "solid_sum", p.object, q.object, options);
       },
-      "p"_a, "q"_a, "options"_a = SpatialOptions(), "The sum of a sum's regular part and a solid, unrounded.");
-  m.def(
-      "minkowski_sum",
-      [](nb::handle_t<SpatialSum> p, nb::handle_t<SpatialSum> q, const SpatialOptions& options) {
-        const SpatialSum &first = nb::cast<const SpatialSum&>(p), &second = nb::cast<const SpatialSum&>(q);
-        SpatialSum sum =
-            run_with(options, [&](const SpatialOptions& own) { return minkowski_sum(first, second, own); });
-        return remembered(std::move(sum), "solid_sum", p, q, options);
-      },
-      "p"_a, "q"_a, "options"_a = SpatialOptions(), "The sum of two sums.");
+      "p"_a, "q"_a, "options"_a = SpatialOptions(),
+      "The exact sum of two solids of any shape, or results of them as closed sets, unrounded. Raises Error: "
+      "cancelled; "
+      "out_of_memory; unsupported_operand.");
   m.def(
       "as_mesh", [](const SpatialSum& sum) { return take(as_mesh(sum)); }, "sum"_a,
       "The regular part of a sum as an operand. Raises Error: unsupported_operand where no doubles hold a vertex.");
   m.def(
       "erode",
-      [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options) {
+      [](const SpatialOperandArgument& a, const SpatialOperandArgument& b, const SpatialOptions& options) {
         SpatialSum fit = run_with(options, [&](const SpatialOptions& own) { return erode(*a, *b, own); });
         return remembered(std::move(fit), "solid_erode", a.object, b.object, options);
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(),
-      "A (-) B = { x : x + B inside A }, positions without room to move included as tight features.");
-  m.def(
-      "erode",
-      [](nb::handle_t<SpatialSum> a, const MeshArgument& b, const SpatialOptions& options) {
-        const SpatialSum& outer = nb::cast<const SpatialSum&>(a);
-        SpatialSum fit = run_with(options, [&](const SpatialOptions& own) { return erode(outer, *b, own); });
-        return remembered(std::move(fit), "solid_erode", a, b.object, options);
-      },
-      "a"_a, "b"_a, "options"_a = SpatialOptions(), "The same of a sum's regular part, unrounded.");
-  m.def(
-      "erode",
-      [](nb::handle_t<SpatialSum> a, nb::handle_t<SpatialSum> b, const SpatialOptions& options) {
-        const SpatialSum &outer = nb::cast<const SpatialSum&>(a), &part = nb::cast<const SpatialSum&>(b);
-        SpatialSum fit = run_with(options, [&](const SpatialOptions& own) { return erode(outer, part, own); });
-        return remembered(std::move(fit), "solid_erode", a, b, options);
-      },
-      "a"_a, "b"_a, "options"_a = SpatialOptions(), "The same of two sums.");
+      "A (-) B = { x : x + B inside A }, positions without room to move included as tight features; of solids, or "
+      "results "
+      "of them, unrounded.");
   m.def(
       "negated",
       [](nb::handle_t<SpatialSum> sum) {
@@ -107,16 +80,16 @@ std::vector<RationalPoint3> exact_of(const Positions<3>& positions) {
 void bind_spatial_contains(nb::module_& m) {
   m.def(
       "contains",
-      [](const MeshArgument& p, const MeshArgument& q, const Position<3>& z, Semantics semantics) {
-        if (z.doubles) return take(without_gil([&] { return contains(*p, *q, *z.doubles, semantics); }));
-        if (!z.exact) take(Rational::of(std::nan("")));
-        return bool(take(without_gil([&] { return contains_each(*p, *q, std::span(&*z.exact, 1), semantics); }))[0]);
+      [](const SpatialOperandArgument& p, const SpatialOperandArgument& q, const Position<3>& z, Semantics semantics) {
+        if (!z.exact && !z.doubles) take(Rational::of(std::nan("")));
+        return z.exact && take(without_gil([&] { return contains(*p, *q, *z.exact, semantics); }));
       },
-      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed, "The same of solids. Raises Error: not_finite.");
+      "p"_a, "q"_a, "z"_a, "semantics"_a = Semantics::closed,
+      "The same of solids, or results of them. Raises Error: not_finite.");
   m.def(
       "contains_each",
-      [](const MeshArgument& p, const MeshArgument& q, const Positions<3>& positions, Semantics semantics,
-         const Progress& progress) {
+      [](const SpatialOperandArgument& p, const SpatialOperandArgument& q, const Positions<3>& positions,
+         Semantics semantics, const Progress& progress) {
         const std::vector<RationalPoint3> exact = exact_of(positions);
         const std::vector<bool> inside =
             run(progress, [&](const Progress& watched) { return contains_each(*p, *q, exact, semantics, watched); });
@@ -142,7 +115,8 @@ void bind_opening(nb::module_& m) {
       .field("moved", &SolidOpening::moved, "no vertex between was moved by more; 0: exact");
   m.def(
       "opening",
-      [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
+      [](const SpatialOperandArgument& a, const SpatialOperandArgument& b, const SpatialOptions& options,
+         BetweenSteps between) {
         return run_with(options, [&](const SpatialOptions& own) { return opening(*a, *b, own, between); });
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
@@ -155,22 +129,9 @@ rounding_changed_topology.
 3.0
 )doc");
   m.def(
-      "opening",
-      [](const SpatialSum& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
-        return run_with(options, [&](const SpatialOptions& own) { return opening(a, *b, own, between); });
-      },
-      "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
-      "The same of a sum's regular part, unrounded.");
-  m.def(
       "closing",
-      [](const SpatialSum& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
-        return run_with(options, [&](const SpatialOptions& own) { return closing(a, *b, own, between); });
-      },
-      "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact,
-      "The same of a sum's regular part, unrounded.");
-  m.def(
-      "closing",
-      [](const MeshArgument& a, const MeshArgument& b, const SpatialOptions& options, BetweenSteps between) {
+      [](const SpatialOperandArgument& a, const SpatialOperandArgument& b, const SpatialOptions& options,
+         BetweenSteps between) {
         return run_with(options, [&](const SpatialOptions& own) { return closing(*a, *b, own, between); });
       },
       "a"_a, "b"_a, "options"_a = SpatialOptions(), "between"_a = BetweenSteps::exact, "(A (+) B) (-) B.");
@@ -195,21 +156,13 @@ void bind_offset(nb::module_& m) {
       .field("ball_facets", &SolidOffset::ball_facets);
   m.def(
       "offset",
-      [](const MeshArgument& mesh, double distance, double tolerance, OffsetBound bound,
+      [](const SpatialOperandArgument& set, double distance, double tolerance, OffsetBound bound,
          const SpatialOptions& options) {
         return run_with(options,
-                        [&](const SpatialOptions& own) { return offset(*mesh, distance, tolerance, bound, own); });
+                        [&](const SpatialOptions& own) { return offset(*set, distance, tolerance, bound, own); });
       },
-      "mesh"_a, "distance"_a, "tolerance"_a, "bound"_a = OffsetBound::inside, "options"_a = SpatialOptions(),
+      "set"_a, "distance"_a, "tolerance"_a, "bound"_a = OffsetBound::inside, "options"_a = SpatialOptions(),
       "The solid grown by a distance, or shrunk by a negative one, up to the tolerance. Raises Error: out_of_range.");
-  m.def(
-      "offset",
-      [](const SpatialSum& sum, double distance, double tolerance, OffsetBound bound, const SpatialOptions& options) {
-        return run_with(options,
-                        [&](const SpatialOptions& own) { return offset(sum, distance, tolerance, bound, own); });
-      },
-      "sum"_a, "distance"_a, "tolerance"_a, "bound"_a = OffsetBound::inside, "options"_a = SpatialOptions(),
-      "The same of a sum's regular part, unrounded.");
 }
 
 void bind_slice(nb::module_& m) {

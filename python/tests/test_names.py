@@ -11,7 +11,7 @@ import dymsum
 
 HEADERS = Path(__file__).parents[2] / "include" / "dymsum"
 #: What Python has in another form: Result is an exception, Rational is fractions.Fraction, the rest is internal.
-OTHER_FORM = {"Result", "Rational", "ForcedTier", "PlanarOperand"}
+OTHER_FORM = {"Result", "Rational", "ForcedTier", "PlanarOperand", "SpatialOperand"}
 RENAMED = {"in": "in_", "from": "from_"}
 #: Members that have no sense in Python.
 LEFT_OUT = {"Error.code", "Error.message", "Error.evidence", "NfpTable.state", "SumOptions.forced_tier", "MovingOptions.forced_tier", "EditOptions.forced_tier"}

@@ -31,29 +31,18 @@ struct CheckedSolid {
   bool convex = false;
 };
 
-CheckedSolid checked_solid(const Mesh& mesh) {
-  MeshData solid{mesh.vertices(), {}};
-  const TriangulatedMesh all = triangulated(mesh);
-  for (std::size_t t = 0; t < all.face.size(); ++t)
-    if (!mesh.has_thin_parts() || !mesh.thin_faces()[all.face[t]]) solid.faces.push_back(all.mesh.faces()[t]);
-  return {spatial::exact_set(std::move(solid)), !mesh.empty() && !convexity_error(mesh)};
-}
-CheckedSolid checked_solid(const SpatialSum& sum) {
-  const Result<Mesh> mesh = as_mesh(sum);
-  return {spatial::exact_set(sum), sum.is_convex() || (mesh && !mesh->empty() && !convexity_error(*mesh))};
+CheckedSolid checked_solid(const SpatialOperand& operand) {
+  const spatial::OperandSet set(operand, Semantics::regular);
+  const SpatialSum* sum = spatial::result_of(operand);
+  const bool convex =
+      (sum != nullptr && sum->is_convex()) || (set.mesh() && !set.mesh()->empty() && !convexity_error(*set.mesh()));
+  return {spatial::regular_triangles(set), convex};
 }
 
 /// What lies in a and not in b: by winding number, b inside out.
 Result<SpatialSum> exact_difference(const ExactSet& a, const ExactSet& b, const SpatialOptions& options) {
   ExactSet all = a;
-  const auto first = static_cast<std::uint32_t>(all.at.size());
-  all.set.vertices.insert(all.set.vertices.end(), b.set.vertices.begin(), b.set.vertices.end());
-  all.at.insert(all.at.end(), b.at.begin(), b.at.end());
-  for (Face face : b.set.faces) {
-    std::reverse(face.begin(), face.end());
-    for (std::uint32_t& v : face) v += first;
-    all.set.faces.push_back(std::move(face));
-  }
+  spatial::append(all, b, true);
   return spatial::solid_inside(all, {1, false, false}, options);
 }
 
@@ -322,7 +311,8 @@ CheckVerdict SolidOffsetCheck::at_least(const Rational& r) const {
 }
 CheckVerdict SolidOffsetCheck::at_most(const Rational& r) const { return check::within(between, r); }
 
-Result<SolidOffsetCheck> check_offset(const Mesh& a, const Mesh& made, DiscSide side, const SpatialOptions& options) {
+Result<SolidOffsetCheck> check_offset(const SpatialOperand& a, const SpatialOperand& made, DiscSide side,
+                                      const SpatialOptions& options) {
   const bool outside = side == DiscSide::outside;
   CheckedSolid operand = checked_solid(a);
   const CheckedSolid set = checked_solid(made);
@@ -360,10 +350,8 @@ CheckVerdict SolidSetCheck::within(const Rational& tolerance) const {
   return check::both(check::within(missing, tolerance), check::within(surplus, tolerance));
 }
 
-Result<SolidSetCheck> check_set(const SpatialSum& right, const Mesh& made, const SpatialOptions& options) {
-  return check_solids(checked_solid(right), checked_solid(made), options);
-}
-Result<SolidSetCheck> check_set(const SpatialSum& right, const SpatialSum& made, const SpatialOptions& options) {
+Result<SolidSetCheck> check_set(const SpatialOperand& right, const SpatialOperand& made,
+                                const SpatialOptions& options) {
   return check_solids(checked_solid(right), checked_solid(made), options);
 }
 

@@ -65,14 +65,16 @@ class CellGrid {
     });
   }
 
-  VoxelSum count() {
+  /// Open cells of the sum, then cells outside of it that are in no closure of a larger one; or where it is `closed`
+  /// those of the sum.
+  VoxelSum count(bool closed = false) {
     VoxelSum sum;
     for (int dimension = 3; dimension >= 0; --dimension) {
       std::vector<Voxel> found;
       for_all([&](const Voxel& cell) {
         if (std::abs(cell[0] % 2) + std::abs(cell[1] % 2) + std::abs(cell[2] % 2) != dimension) return;
         if (in_sum_[position(cell)]) sum.volume += dimension == 3;
-        else if (dimension == 3 || !reached_[position(cell)]) found.push_back(cell);
+        if (in_sum_[position(cell)] == closed && (dimension == 3 || !reached_[position(cell)])) found.push_back(cell);
       });
       if (dimension == 2) sum.tight_faces = found.size();
       if (dimension == 1) sum.tight_edges = found.size();
@@ -243,6 +245,23 @@ VoxelSum lattice_sum_of_both(const LatticeCells& p, const LatticeCells& q) {
   CellGrid grid = grid_of_sums(p, q);
   grid.add_if([&](const Voxel& x) { return meet(inside_p, q, x) || meet(inside_q, p, x); });
   return grid.count();
+}
+
+bool closed_sum_holds(const LatticeCells& p, const LatticeCells& q, const Voxel& x) {
+  for (const Voxel& a : p)
+    for (const Voxel& b : q) {
+      bool holds = true;
+      for (int i = 0; i < 3; ++i)
+        holds = holds && std::abs(x[i] - a[i] - b[i]) <= std::abs(a[i] % 2) + std::abs(b[i] % 2);
+      if (holds) return true;
+    }
+  return false;
+}
+
+VoxelSum closed_lattice_sum(const LatticeCells& p, const LatticeCells& q) {
+  CellGrid grid = grid_of_sums(p, q);
+  grid.add_if([&](const Voxel& x) { return closed_sum_holds(p, q, x); });
+  return grid.count(true);
 }
 
 std::size_t volume_of_sums(const LatticeCells& p, const LatticeCells& q) {

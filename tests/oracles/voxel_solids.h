@@ -41,6 +41,10 @@ MeshData lattice_mesh(const LatticeCells& cells, const IntegerMap& map = kNoShea
 VoxelSum lattice_sum(const Voxels& p, const LatticeCells& q);
 /// Of both together: int P + Q and P + int Q.
 VoxelSum lattice_sum_of_both(const LatticeCells& p, const LatticeCells& q);
+/// Whether the closed sum holds the centre of a cell, and so all of it: doubled coordinates.
+bool closed_sum_holds(const LatticeCells& p, const LatticeCells& q, const Voxel& x);
+/// Of the closed sum: its cubes, and its squares, segments and points in no closure of a larger one.
+VoxelSum closed_lattice_sum(const LatticeCells& p, const LatticeCells& q);
 /// The volume of the union of the sums of two cells each.
 std::size_t volume_of_sums(const LatticeCells& p, const LatticeCells& q);
 

@@ -457,4 +457,58 @@ Result<SpatialSum> symmetric_difference(const Mesh& a, const Mesh& b, const Spat
   return of_two(a, b, false, {1, true, true}, options);
 }
 
+namespace {
+
+/// By winding numbers, those from `first_taken` on inside out: of meshes where doubles hold all of them.
+Result<SpatialSum> by_winding(std::span<const SpatialOperand> sets, std::size_t first_taken, InsideRule rule,
+                              const SpatialOptions& options) {
+  std::vector<spatial::OperandSet> operands;
+  for (const SpatialOperand& set : sets) operands.emplace_back(set, Semantics::regular);
+  const bool in_doubles = std::all_of(operands.begin(), operands.end(), [](const auto& o) { return o.mesh(); });
+  MeshData meshes;
+  spatial::ExactSet triangles;
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    if (in_doubles) append(meshes, *operands[k].mesh(), k >= first_taken);
+    else spatial::append(triangles, spatial::regular_triangles(operands[k]), k >= first_taken);
+  }
+  return in_doubles ? spatial::solid_inside(meshes, rule, options) : spatial::solid_inside(triangles, rule, options);
+}
+
+Result<SpatialSum> by_winding(const SpatialOperand& a, const SpatialOperand& b, std::size_t first_taken,
+                              InsideRule rule, const SpatialOptions& options) {
+  const SpatialOperand both[]{a, b};
+  return by_winding(both, first_taken, rule, options);
+}
+
+}  // namespace
+
+Result<SpatialSum> united(std::span<const SpatialOperand> sets, const SpatialOptions& options) {
+  return by_winding(sets, sets.size(), {}, options);
+}
+
+Result<SpatialSum> intersection(std::span<const SpatialOperand> sets, const SpatialOptions& options) {
+  if (sets.empty()) return Error{ErrorCode::out_of_range, "an intersection takes at least one solid, not 0", {}};
+  return by_winding(sets, sets.size(), {static_cast<int>(sets.size()), false, false}, options);
+}
+
+Result<SpatialSum> difference(const SpatialOperand& a, std::span<const SpatialOperand> taken,
+                              const SpatialOptions& options) {
+  std::vector<SpatialOperand> all{a};
+  all.insert(all.end(), taken.begin(), taken.end());
+  return by_winding(all, 1, {}, options);
+}
+
+Result<SpatialSum> intersection(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options) {
+  return by_winding(a, b, 2, {2, false, false}, options);
+}
+
+Result<SpatialSum> difference(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options) {
+  return by_winding(a, b, 1, {}, options);
+}
+
+Result<SpatialSum> symmetric_difference(const SpatialOperand& a, const SpatialOperand& b,
+                                        const SpatialOptions& options) {
+  return by_winding(a, b, 2, {1, true, true}, options);
+}
+
 }  // namespace dymsum

@@ -163,14 +163,39 @@ Vec3 GridSpace<C>::near(const Vector3<X>& v) const {
 
 template <class C>
 Vector3<typename GridSpace<C>::Edge> GridSpace<C>::direction(DirectionSource w) const {
+  if constexpr (std::is_same_v<C, Fraction>)
+    if (w.of != DirectionSource::Of::axis) return kept_direction(w);
   const auto between = [&](const std::vector<Point>& points, const std::vector<Point>& shorter) {
     const std::vector<Point>& of = shorter.empty() ? points : shorter;
-    if constexpr (std::is_same_v<C, Fraction>) return exact::integral(of[w.to] - of[w.from]);
-    else return of[w.to] - of[w.from];
+    return of[w.to] - of[w.from];
   };
   if (w.of == DirectionSource::Of::p) return between(p_int_, p_short_);
   if (w.of == DirectionSource::Of::q) return between(q_int_, q_short_);
   return {small<Edge>(w.from == 0), small<Edge>(w.from == 1), small<Edge>(w.from == 2)};
+}
+
+template <class C>
+Vector3<typename GridSpace<C>::Edge> GridSpace<C>::kept_direction(DirectionSource w) const {
+  if constexpr (std::is_same_v<C, Fraction>) {
+    const bool in_p = w.of == DirectionSource::Of::p;
+    const std::vector<Point>& of = in_p ? p_int_ : q_int_;
+    const std::uint64_t key = (static_cast<std::uint64_t>(std::min(w.from, w.to)) << 32) | std::max(w.from, w.to);
+    auto& kept = directions_[in_p ? 0 : 1];
+    const auto found = [&]() -> std::optional<Vector3<Edge>> {
+      const std::lock_guard lock(directions_mutex_);
+      const auto at = kept.find(key);
+      return at == kept.end() ? std::nullopt : std::optional(at->second);
+    };
+    std::optional<Vector3<Edge>> upward = found();
+    if (!upward) {
+      upward = exact::integral(of[std::max(w.from, w.to)] - of[std::min(w.from, w.to)]);
+      const std::lock_guard lock(directions_mutex_);
+      kept.emplace(key, *upward);
+    }
+    return w.from < w.to ? *upward : Vector3<Edge>{-upward->x, -upward->y, -upward->z};
+  } else {
+    return {};
+  }
 }
 
 template <class C>

@@ -1,9 +1,11 @@
 // SumSpace in exact numbers of one width: C is Int<B>, Big, Fraction or RootValue.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "exact/fraction.h"
@@ -66,8 +68,9 @@ class GridSpace final : public SumSpace {
 
  private:
   exact::Vector3<Edge> sum(SumPoint s) const { return p_int_[s.p] + q_int_[s.q]; }
-  /// Up to a positive factor, the same for all directions of an operand: signs do not depend on it.
+  /// Up to a positive factor: signs do not depend on it. Of fractions without a common divisor, each made once.
   exact::Vector3<Edge> direction(DirectionSource w) const;
+  exact::Vector3<Edge> kept_direction(DirectionSource w) const;
   exact::Vector3<Edge> along(const SumEdge& e) const;
   exact::Vector3<Normal> normal(const PlaneSource& source) const;
   void set_plane(PlaneId id, const PlaneSource& source);
@@ -107,6 +110,9 @@ class GridSpace final : public SumSpace {
     Approx approx;
   };
   std::vector<Position> positions_;
+  /// Of fractions: common divisors of long numbers cost more than all else.
+  mutable std::mutex directions_mutex_;
+  mutable std::unordered_map<std::uint64_t, exact::Vector3<Edge>> directions_[2];
   mutable std::once_flag fine_once_;
   mutable std::unique_ptr<FineSpace> fine_;
   mutable std::once_flag wide_once_;

@@ -64,7 +64,9 @@ Result<MeshData> framed_complement(const MeshData& a, const MeshData& b) {
   }
   const auto frame = [&](double Point3::*axis) {
     const Range of_a = range_of(a, axis), of_b = range_of(b, axis);
-    const auto [low, high] = framed(of_a.low, of_a.high, of_b.high - of_b.low);
+    // Of no length where b is plane: then any distance does.
+    const double length = of_b.high > of_b.low ? of_b.high - of_b.low : of_a.high - of_a.low;
+    const auto [low, high] = framed(of_a.low, of_a.high, length);
     return Range{low, high};
   };
   const Range x = frame(&Point3::x), y = frame(&Point3::y), z = frame(&Point3::z);
@@ -224,6 +226,18 @@ Result<SpatialSum> inside_of(const MeshData& a, const MeshData& b, F sum_with) {
   return Inside(*sum, a).run();
 }
 
+/// Of a set without thin parts.
+Result<SpatialSum> erosion_of_regular(const ExactSet& a, const ExactSet& b, const SpatialOptions& options) {
+  return inside_of(a.set, b.set, [&](MeshData complement, MeshData reflection) {
+    ExactSet outside = exact_set(std::move(complement));  // of which the frame comes after a
+    std::copy(a.at.begin(), a.at.end(), outside.at.begin());
+    ExactSet inverse = exact_set(std::move(reflection), b.thin);
+    for (std::size_t v = 0; v < b.at.size(); ++v)
+      for (std::size_t axis = 0; axis < 3; ++axis) inverse.at[v][axis] = -b.at[v][axis];
+    return sum_of_exact_sets(outside, inverse, options);
+  });
+}
+
 }  // namespace
 
 Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOptions& options) {
@@ -233,18 +247,12 @@ Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOp
 }
 
 Result<SpatialSum> erosion(const ExactSet& a, const ExactSet& b, const SpatialOptions& options) {
-  return inside_of(a.set, b.set, [&](MeshData complement, MeshData reflection) {
-    ExactSet outside = exact_set(std::move(complement));  // of which the frame comes after a
-    std::copy(a.at.begin(), a.at.end(), outside.at.begin());
-    ExactSet inverse = exact_set(std::move(reflection));
-    for (std::size_t v = 0; v < b.at.size(); ++v)
-      for (std::size_t axis = 0; axis < 3; ++axis) inverse.at[v][axis] = -b.at[v][axis];
-    return sum_of_exact_sets(outside, inverse, options);
-  });
-}
-
-Result<SpatialSum> erosion(const ExactSet& a, const MeshData& b, const SpatialOptions& options) {
-  return erosion(a, exact_set(b), options);
+  if (a.thin.empty()) return erosion_of_regular(a, b, options);
+  if (b.thin.empty()) return erosion_of_regular(regular_part(a), b, options);
+  return Error{ErrorCode::unsupported_operand,
+               "both operands have parts without volume, or are tight in parts: which of these fit into each other is "
+               "not determined; with regular semantics those of results do not count",
+               {}};
 }
 
 }  // namespace dymsum::spatial
@@ -253,26 +261,23 @@ namespace dymsum {
 
 // Erosion and sum one after the other.
 
-namespace {
-constexpr const char* kThin = "inner fits, openings and closings are of solids without thin parts";
-}
-
 Result<SpatialSum> erode(const Mesh& a, const Mesh& b, const SpatialOptions& options) {
-  if (a.has_thin_parts() || b.has_thin_parts()) return Error{ErrorCode::unsupported_operand, kThin, {}};
+  if (a.has_thin_parts() || b.has_thin_parts())
+    return spatial::erosion(spatial::exact_set(a.data(), a.thin_faces()), spatial::exact_set(b.data(), b.thin_faces()),
+                            options);
   return spatial::erosion(a.data(), b.data(), options);
 }
 
-Result<SpatialSum> erode(const SpatialSum& a, const Mesh& b, const SpatialOptions& options) {
-  if (b.has_thin_parts()) return Error{ErrorCode::unsupported_operand, kThin, {}};
-  if (const Result<Mesh> mesh = as_mesh(a)) return erode(*mesh, b, options);
-  return spatial::erosion(spatial::exact_set(a), b.data(), options);
-}
-
-Result<SpatialSum> erode(const SpatialSum& a, const SpatialSum& b, const SpatialOptions& options) {
+Result<SpatialSum> erode(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options) {
+  const spatial::OperandSet part(b, options.semantics);
+  // What is tight in A holds nothing of a solid.
+  const spatial::OperandSet around(a, part.has_thin() ? options.semantics : Semantics::regular);
+  const SpatialSum *outer = spatial::result_of(a), *inner = spatial::result_of(b);
   const auto of_meshes = [&](const Mesh& x, const Mesh& y) { return erode(x, y, options); };
-  if (auto inner = spatial::before_mapping(a, b, -1, of_meshes)) return *std::move(inner);
-  const Result<Mesh> mesh = as_mesh(b);
-  return mesh ? erode(a, *mesh, options) : spatial::erosion(spatial::exact_set(a), spatial::exact_set(b), options);
+  if (outer != nullptr && inner != nullptr && !part.has_thin())
+    if (auto fit = spatial::before_mapping(*outer, *inner, -1, of_meshes)) return *std::move(fit);
+  if (around.mesh() && part.mesh()) return erode(*around.mesh(), *part.mesh(), options);
+  return spatial::erosion(around.set(), part.set(), options);
 }
 
 namespace {
@@ -389,53 +394,35 @@ Result<Step> next_operand(Result<SpatialSum> first, BetweenSteps between) {
 
 SolidOpening with(SpatialSum solid, double moved) { return {std::move(solid), moved}; }
 
-/// Operands are meshes or sums.
-template <class Operand>
-Result<SolidOpening> opening_of(const Operand& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
+}  // namespace
+
+Result<SolidOpening> opening(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options,
+                             BetweenSteps between) {
   SpatialOptions inside = options;
   inside.tight = true;  // where b fits without room to move, it covers what no other position does
   inside.trace = false;
   const Result<Step> step = next_operand(erode(a, b, inside), between);
   if (!step) return step.error();
-  Result<SpatialSum> sum = step->in_doubles
-                               ? spatial::sum_of_operands(spatial::solid_operand(step->set.set, step->set.thin),
-                                                          spatial::solid_operand(b.data()), options)
-                               : spatial::sum_of_exact_sets(step->set, spatial::exact_set(b.data()), options);
+  const spatial::OperandSet part(b, options.semantics);
+  Result<SpatialSum> sum = spatial::sum_of_exact_sets(step->set, part.set(), options);
   if (!sum) return sum.error();
   return with(*std::move(sum), step->moved);
 }
 
-template <class Operand>
-Result<SolidOpening> closing_of(const Operand& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
-  if (b.has_thin_parts()) return Error{ErrorCode::unsupported_operand, kThin, {}};
-  SpatialOptions regular = options;
-  regular.tight = false;  // the closed sum holds its tight features
-  regular.trace = false;
-  const Result<Step> step = next_operand(minkowski_sum(a, b, regular), between);
+Result<SolidOpening> closing(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options,
+                             BetweenSteps between) {
+  const spatial::OperandSet part(b, options.semantics);
+  SpatialOptions first = options;
+  if (first.semantics == Semantics::open) first.semantics = Semantics::closed;
+  first.tight = part.has_thin();  // of others the regular part of the sum holds what is tight
+  first.trace = false;
+  Result<SpatialSum> grown = minkowski_sum(a, b, first);
+  if (!grown) return grown.error();
+  const Result<Step> step = next_operand(std::move(grown), between);
   if (!step) return step.error();
-  Result<SpatialSum> sum = step->in_doubles ? spatial::erosion(step->set.set, b.data(), options)
-                                            : spatial::erosion(step->set, b.data(), options);
+  Result<SpatialSum> sum = spatial::erosion(step->set, part.set(), options);
   if (!sum) return sum.error();
   return with(*std::move(sum), step->moved);
-}
-
-}  // namespace
-
-Result<SolidOpening> opening(const Mesh& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
-  return opening_of(a, b, options, between);
-}
-
-Result<SolidOpening> opening(const SpatialSum& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
-  return opening_of(a, b, options, between);
-}
-
-Result<SolidOpening> closing(const Mesh& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
-  if (a.has_thin_parts()) return Error{ErrorCode::unsupported_operand, kThin, {}};
-  return closing_of(a, b, options, between);
-}
-
-Result<SolidOpening> closing(const SpatialSum& a, const Mesh& b, const SpatialOptions& options, BetweenSteps between) {
-  return closing_of(a, b, options, between);
 }
 
 }  // namespace dymsum

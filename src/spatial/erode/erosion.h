@@ -27,8 +27,9 @@ Result<MeshData> framed_complement(const MeshData& a, const MeshData& b);
 
 /// The inner fit that erode makes, for surfaces that sum_of_solids takes.
 Result<SpatialSum> erosion(const MeshData& a, const MeshData& b, const SpatialOptions& options);
-/// The same where vertices of `a`, or of both, are fractions.
-Result<SpatialSum> erosion(const ExactSet& a, const MeshData& b, const SpatialOptions& options);
+/// The same of sets with thin parts, with vertices that are any fractions. Those of `a` hold nothing of a `b` without
+/// them: x + int b is open, and an open set within a closed solid and plates lies in the solid. Error
+/// unsupported_operand where both have them.
 Result<SpatialSum> erosion(const ExactSet& a, const ExactSet& b, const SpatialOptions& options);
 
 }  // namespace dymsum::spatial

@@ -85,12 +85,8 @@ Result<TessellatedBall> tessellated_ball(double radius, double tolerance, Offset
   return out_of_range("the tolerance of a ball is too small");
 }
 
-namespace {
-
-/// Of a mesh or a sum.
-template <class Operand>
-Result<SolidOffset> offset_of(const Operand& set, double distance, double tolerance, OffsetBound bound,
-                              const SpatialOptions& options) {
+Result<SolidOffset> offset(const SpatialOperand& set, double distance, double tolerance, OffsetBound bound,
+                           const SpatialOptions& options) {
   if (distance == 0) return out_of_range("an offset by 0 is the solid itself");
   const bool inward = distance < 0;
   // What is outside of the ball's complement is inside of the offset.
@@ -102,18 +98,6 @@ Result<SolidOffset> offset_of(const Operand& set, double distance, double tolera
   if (!solid) return solid.error();
   return SolidOffset{*std::move(solid), inward ? -ball->high : ball->low, inward ? -ball->low : ball->high,
                      ball->mesh.faces().size()};
-}
-
-}  // namespace
-
-Result<SolidOffset> offset(const Mesh& mesh, double distance, double tolerance, OffsetBound bound,
-                           const SpatialOptions& options) {
-  return offset_of(mesh, distance, tolerance, bound, options);
-}
-
-Result<SolidOffset> offset(const SpatialSum& sum, double distance, double tolerance, OffsetBound bound,
-                           const SpatialOptions& options) {
-  return offset_of(sum, distance, tolerance, bound, options);
 }
 
 }  // namespace dymsum

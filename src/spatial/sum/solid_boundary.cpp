@@ -133,6 +133,18 @@ void look_at_both_sides(SolidArrangement& arrangement, const Collision& collisio
   }
 }
 
+/// After that: the cells that closed operands hold by parts without volume alone. Nothing of the sum lies on either
+/// side of them.
+TightFeatures cells_of_thin_parts(const SolidArrangement& arrangement, const Collision& collision, StageWatch& watch) {
+  TightFeatures found;
+  for_each_cell(arrangement, [&](const PlaneGroup& group, std::uint32_t id, const Cell& cell) {
+    if (cell.front != 0 || cell.back != 0) return;
+    if (++found.tests % 16 == 0) watch.query(0);
+    if (collision.touches(flag_at(arrangement, group, cell, 0))) found.cells.push_back(id);
+  });
+  return found;
+}
+
 }  // namespace
 
 std::uint64_t table_bytes(std::size_t facets) { return facets * (sizeof(TableFacet) + 900); }
@@ -186,8 +198,8 @@ SolidBoundary solid_boundary(std::unique_ptr<SumSpace> space, ReducedConvolution
   find_cells(result, stats, watch);
   const Collision collision(*result.space, p, q, &inner);
   const bool both_thin = result.either_side = p.has_thin() && q.has_thin();
-  const auto crossing = both_thin ? find_thin_crossing(*result.space, p, q) : std::nullopt;
-  if (crossing && options.semantics == Semantics::open) throw NoOpenSum{*crossing};
+  if (both_thin && options.semantics == Semantics::open)
+    if (const auto crossing = find_thin_crossing(*result.space, p, q)) throw NoOpenSum{*crossing};
   if (both_thin) look_at_both_sides(*result.arrangement, collision, watch);
   watch.begin("links");
   const CellLinks links = link_cells(*result.space, *result.arrangement, watch);
@@ -198,7 +210,9 @@ SolidBoundary solid_boundary(std::unique_ptr<SumSpace> space, ReducedConvolution
   result.patch = links.patch;
   stats.collision_tests = collision.tests();
   watch.begin("tight features");
-  if (options.tight && options.semantics != Semantics::regular && !crossing)
+  if (options.tight && options.semantics == Semantics::closed && both_thin)
+    result.tight = cells_of_thin_parts(*result.arrangement, collision, watch);
+  else if (options.tight && options.semantics != Semantics::regular)
     result.tight =
         tight_features(*result.space, result.table, *result.arrangement, result.boundary, collision, !fast, watch);
   watch.begin("");

@@ -24,6 +24,7 @@
 #include "spatial/sum/solid_boundary.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_source.h"
+#include "spatial/sum/thin_sums.h"
 #include "spatial/sum/vertex_signs.h"
 
 namespace dymsum {
@@ -197,16 +198,6 @@ spatial::FlatFeatures flat_features(const SpatialOptions& options) {
   return options.engine == SpatialEngine::brute ? spatial::FlatFeatures::kept : spatial::FlatFeatures::merged;
 }
 
-Result<SpatialSum> sum_of_pair(const MeshData& p, const std::vector<bool>& thin_p, const MeshData& q,
-                               const std::vector<bool>& thin_q, const SpatialOptions& options) {
-  spatial::SolidOperand operands[2];
-  base::parallel_parts(2, options.threads, [&](std::size_t k) {
-    operands[k] = k == 0 ? spatial::solid_operand(p, thin_p, flat_features(options))
-                         : spatial::solid_operand(q, thin_q, flat_features(options));
-  });
-  return spatial::sum_of_operands(operands[0], operands[1], options);
-}
-
 Error no_open_sum(const spatial::ThinCrossing& parts) {
   Error error{ErrorCode::unsupported_operand,
               "this face of P and that of Q have no volume and can cross, for which no open sum is defined",
@@ -226,13 +217,23 @@ Result<SpatialSum> minkowski_sum(const Mesh& p, const Mesh& q, const SpatialOpti
   return spatial::sum_of_solids(p, q, options);
 }
 
+Result<SpatialSum> spatial::sum_of_sets(const MeshData& p, const std::vector<bool>& thin_p, const MeshData& q,
+                                        const std::vector<bool>& thin_q, const SpatialOptions& options) {
+  SolidOperand operands[2];
+  base::parallel_parts(2, options.threads, [&](std::size_t k) {
+    operands[k] =
+        k == 0 ? solid_operand(p, thin_p, flat_features(options)) : solid_operand(q, thin_q, flat_features(options));
+  });
+  return sum_of_operands(operands[0], operands[1], options);
+}
+
 Result<SpatialSum> spatial::sum_of_solids(const MeshData& p, const MeshData& q, const SpatialOptions& options) {
-  return sum_of_pair(p, {}, q, {}, options);
+  return sum_of_sets(p, {}, q, {}, options);
 }
 
 Result<SpatialSum> spatial::sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options) {
-  Result<SpatialSum> sum = sum_of_pair(p.data(), p.thin_faces(), q.data(), q.thin_faces(), options);
-  if (sum && sum->faces.empty() && p.has_thin_parts() && q.has_thin_parts())
+  Result<SpatialSum> sum = sum_of_sets(p.data(), p.thin_faces(), q.data(), q.thin_faces(), options);
+  if (sum && sum->vertices.empty() && p.has_thin_parts() && q.has_thin_parts())
     return Error{ErrorCode::unsupported_operand, "the sum of these parts without volume has no volume either", {}};
   return sum;
 }
@@ -249,6 +250,8 @@ Result<SpatialSum> spatial::sum_of_operands(const SolidOperand& a, const SolidOp
     spatial::SolidBoundary boundary = spatial::solid_boundary(a, b, options, sum.stats, watch);
     watch.begin("faces");
     spatial::assemble(boundary, a, b, sum, watch);
+    if (options.tight && options.semantics == Semantics::closed && a.has_thin() && b.has_thin())
+      spatial::add_thin_sums(sum, *boundary.space, a, b);
     if (options.trace) sum.trace = trace_of(boundary, watch);
     watch.begin("");
   } catch (const Cancelled&) {
@@ -332,10 +335,33 @@ Error error_of(const char* message) { return {ErrorCode::unsupported_operand, me
 
 }  // namespace
 
+Result<std::vector<bool>> spatial::positions_in_sum(SumSpace& space, const SolidOperand& p, const SolidOperand& q,
+                                                    std::span<const ExactPosition> positions, Semantics semantics,
+                                                    const Progress& progress) {
+  const bool open = semantics == Semantics::open;
+  if (p.has_thin() && q.has_thin()) {
+    if (semantics == Semantics::regular)
+      return error_of(
+          "both operands have parts without volume: what of their sum is near its interior cannot be asked");
+    if (open && find_thin_crossing(space, p, q))
+      return error_of("both operands have parts without volume that can cross: they have no open sum");
+  }
+  const Collision collision(space, p, q);
+  std::vector<bool> inside(positions.size());
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    if (progress && !progress("positions", static_cast<double>(k) / static_cast<double>(positions.size())))
+      return cancelled();
+    const std::optional<PointSource> at = space.add_position(positions[k]);
+    if (!at) continue;
+    const Flag flag{*at, 0, 0, 0, 0, 0};
+    inside[k] = open ? collision.overlaps(flag) : collision.touches(flag);
+  }
+  return inside;
+}
+
 Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<const RationalPoint3> positions,
                                         Semantics semantics, const Progress& progress) {
-  std::vector<bool> inside(positions.size());
-  if (p.empty() || q.empty()) return inside;
+  if (p.empty() || q.empty()) return std::vector<bool>(positions.size());
   const spatial::SolidOperand a = spatial::solid_operand(p.data(), p.thin_faces(), spatial::FlatFeatures::kept),
                               b = spatial::solid_operand(q.data(), q.thin_faces(), spatial::FlatFeatures::kept);
   std::unique_ptr<spatial::SumSpace> space;
@@ -344,26 +370,10 @@ Result<std::vector<bool>> contains_each(const Mesh& p, const Mesh& q, std::span<
   } catch (const std::invalid_argument& e) {
     return error_of(e.what());
   }
-  const bool open = semantics == Semantics::open;
-  if (p.has_thin_parts() && q.has_thin_parts()) {
-    if (semantics == Semantics::regular)
-      return error_of(
-          "both operands have parts without volume: what of their sum is near its interior cannot be asked");
-    if (open && spatial::find_thin_crossing(*space, a, b))
-      return error_of("both operands have parts without volume that can cross: they have no open sum");
-  }
-  const spatial::Collision collision(*space, a, b);
-  for (std::size_t k = 0; k < positions.size(); ++k) {
-    if (progress && !progress("positions", static_cast<double>(k) / static_cast<double>(positions.size())))
-      return cancelled();
-    const RationalPoint3& z = positions[k];
-    const std::optional<PointSource> at =
-        space->add_position({exact::exact_value(z.x), exact::exact_value(z.y), exact::exact_value(z.z)});
-    if (!at) continue;
-    const Flag flag{*at, 0, 0, 0, 0, 0};
-    inside[k] = open ? collision.overlaps(flag) : collision.touches(flag);
-  }
-  return inside;
+  std::vector<spatial::ExactPosition> at;
+  for (const RationalPoint3& z : positions)
+    at.push_back({exact::exact_value(z.x), exact::exact_value(z.y), exact::exact_value(z.z)});
+  return spatial::positions_in_sum(*space, a, b, at, semantics, progress);
 }
 
 Result<bool> contains(const Mesh& p, const Mesh& q, const Point3& z, Semantics semantics) {

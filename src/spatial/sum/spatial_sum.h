@@ -2,11 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "dymsum/spatial_sum.h"
 #include "spatial/convex/exact_positions.h"
 #include "spatial/convolution/solid_operand.h"
 #include "spatial/gauss/overlay.h"
+#include "spatial/sum/sum_source.h"
 
 namespace dymsum::spatial {
 
@@ -25,8 +28,16 @@ Result<SpatialSum> small_convex_sum(const SpatialSum& p, const Mesh& q, std::uin
 /// The sum that minkowski_sum makes, for surfaces that also may have edges with more than two faces and vertices with
 /// several fans, as long as they are closed, oriented, and cross nowhere.
 Result<SpatialSum> sum_of_solids(const MeshData& p, const MeshData& q, const SpatialOptions& options);
+/// The same, of lists some of whose faces are thin parts; none where a list of these is empty.
+Result<SpatialSum> sum_of_sets(const MeshData& p, const std::vector<bool>& thin_p, const MeshData& q,
+                               const std::vector<bool>& thin_q, const SpatialOptions& options);
 /// The same, of meshes that may have thin parts.
 Result<SpatialSum> sum_of_solids(const Mesh& p, const Mesh& q, const SpatialOptions& options);
+
+/// Whether positions, by the space's own numbers, lie in the sum of two operands, as contains_each determines it.
+Result<std::vector<bool>> positions_in_sum(SumSpace& space, const SolidOperand& p, const SolidOperand& q,
+                                           std::span<const ExactPosition> positions, Semantics semantics,
+                                           const Progress& progress);
 
 Result<SpatialSum> sum_of_operands(const SolidOperand& p, const SolidOperand& q, const SpatialOptions& options);
 

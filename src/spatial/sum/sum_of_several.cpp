@@ -128,44 +128,17 @@ Result<SpatialSum> sum_of_terms(const Term& a, const Term& b, const SpatialOptio
   return made;
 }
 
-/// A point or a segment.
-bool is_straight(const Mesh& mesh) { return mesh.faces().size() == 1 && mesh.faces()[0].size() <= 2; }
+bool has_thin(const Term& term) { return term.exact ? !term.exact->thin.empty() : term.mesh.has_thin_parts(); }
 
-/// The sum of two of them: a point, a segment or a parallelogram. Nothing for other operands, and where no doubles hold
-/// it.
-std::optional<Term> sum_of_straight_terms(const Term& a, const Term& b) {
-  if (!is_straight(a.mesh) || !is_straight(b.mesh)) return std::nullopt;
-  const BigInteger scale = lcm(a.scale, b.scale);
-  const std::optional<Mesh> p = in_units(a, scale), q = in_units(b, scale);
-  if (!p || !q) return std::nullopt;
-  const auto exactly = [](const Point3& v) -> spatial::ExactPosition {
-    return {exact::exact_value(v.x), exact::exact_value(v.y), exact::exact_value(v.z)};
-  };
-  const spatial::ExactPosition a0 = exactly(p->vertices().front()), a1 = exactly(p->vertices().back()),
-                               b0 = exactly(q->vertices().front()), b1 = exactly(q->vertices().back());
-  std::array<BigRational, 3> u, v;
-  for (std::size_t k = 0; k < 3; ++k) u[k] = a1[k] - a0[k], v[k] = b1[k] - b0[k];
-  const bool parallel = u[0] * v[1] == u[1] * v[0] && u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2];
-  const bool opposite = u[0] * v[0] + u[1] * v[1] + u[2] * v[2] < 0;
-  std::vector<std::array<const spatial::ExactPosition*, 2>> corners{{&a0, &b0}, {&a1, &b0}, {&a1, &b1}, {&a0, &b1}};
-  if (parallel) corners = {{&a0, opposite ? &b1 : &b0}, {&a1, opposite ? &b0 : &b1}};
-  MeshData data{{}, {{}}};
-  for (const auto& [i, j] : corners) {
-    const std::optional<Point3> at = as_point({(*i)[0] + (*j)[0], (*i)[1] + (*j)[1], (*i)[2] + (*j)[2]}, kWhole);
-    if (!at) return std::nullopt;
-    if (!data.vertices.empty() && data.vertices.back() == *at) continue;  // of two points
-    data.faces[0].push_back(static_cast<std::uint32_t>(data.vertices.size()));
-    data.vertices.push_back(*at);
-  }
-  Result<Mesh> mesh = Mesh::with_thin_parts(std::move(data));
-  return mesh ? std::optional(Term{*std::move(mesh), scale}) : std::nullopt;
-}
-
-Result<Term> sum_of_two(const Term& a, const Term& b, const SpatialOptions& options) {
-  if (!a.exact && !b.exact)
-    if (std::optional<Term> flat = sum_of_straight_terms(a, b)) return *std::move(flat);
+Result<Term> sum_of_two(const Term& a, const Term& b, SpatialOptions options) {
+  // Parts without volume of both may add what has none; what else is tight lies within the closed sum.
+  const bool both_thin = has_thin(a) && has_thin(b);
+  options.semantics = both_thin ? Semantics::closed : Semantics::regular;
+  options.tight = true;
   const Result<SpatialSum> sum = sum_of_terms(a, b, options);
   if (!sum) return sum.error();
+  if (both_thin)
+    if (spatial::ExactSet set = spatial::closed_set(*sum); !set.thin.empty()) return Term{{}, 1, std::move(set)};
   Result<Term> in_doubles = as_term(*sum, kLargestScale);
   return in_doubles ? std::move(in_doubles) : Term{{}, 1, spatial::exact_set(*sum)};
 }
@@ -221,21 +194,23 @@ Result<Mesh> as_mesh(const SpatialSum& sum) {
   return std::move(*std::move(term)).mesh;
 }
 
+Result<SpatialSum> minkowski_sum(const SpatialOperand& p, const SpatialOperand& q, const SpatialOptions& options) {
+  const spatial::OperandSet a(p, options.semantics), b(q, options.semantics);
+  const SpatialSum *first = spatial::result_of(p), *second = spatial::result_of(q);
+  if (first != nullptr && second != nullptr && !a.has_thin() && !b.has_thin())
+    if (auto sum = sum_before_mapping(*first, *second, options)) return *std::move(sum);
+  if (a.mesh() && b.mesh()) return minkowski_sum(*a.mesh(), *b.mesh(), options);
+  return spatial::sum_of_exact_sets(a.set(), b.set(), options);
+}
+
 Result<SpatialSum> minkowski_sum(const SpatialSum& p, const Mesh& q, const SpatialOptions& options) {
-  if (const Result<Mesh> mesh = as_mesh(p)) return minkowski_sum(*mesh, q, options);
-  return spatial::sum_of_exact_sets(spatial::exact_set(p), spatial::exact_set(q.data(), q.thin_faces()), options);
+  return minkowski_sum(SpatialOperand(p), SpatialOperand(q), options);
 }
-
 Result<SpatialSum> minkowski_sum(const Mesh& p, const SpatialSum& q, const SpatialOptions& options) {
-  if (const Result<Mesh> mesh = as_mesh(q)) return minkowski_sum(p, *mesh, options);
-  return spatial::sum_of_exact_sets(spatial::exact_set(p.data(), p.thin_faces()), spatial::exact_set(q), options);
+  return minkowski_sum(SpatialOperand(p), SpatialOperand(q), options);
 }
-
 Result<SpatialSum> minkowski_sum(const SpatialSum& p, const SpatialSum& q, const SpatialOptions& options) {
-  if (auto sum = sum_before_mapping(p, q, options)) return *std::move(sum);
-  const Result<Mesh> a = as_mesh(p), b = as_mesh(q);
-  if (a && b) return minkowski_sum(*a, *b, options);
-  return spatial::sum_of_exact_sets(spatial::exact_set(p), spatial::exact_set(q), options);
+  return minkowski_sum(SpatialOperand(p), SpatialOperand(q), options);
 }
 
 Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOptions& options) {
@@ -250,7 +225,6 @@ Result<SpatialSum> minkowski_sum(std::span<const Mesh> operands, const SpatialOp
   std::stable_sort(terms.begin(), terms.end(), [&](const Term& a, const Term& b) { return rank(a) < rank(b); });
   if (terms.size() == 1) terms.push_back({Mesh::with_thin_parts({{{0, 0, 0}}, {{0}}}).value()});
   SpatialOptions between = options;
-  between.semantics = Semantics::regular;
   between.trace = false;
   while (terms.size() > 2) {
     if (const Result<void> added = add_two(terms, between); !added) {

@@ -63,8 +63,7 @@ Point3 SpatialPositions::rounded(std::size_t vertex) const {
 
 std::array<BigInteger, 4> SpatialPositions::homogeneous(std::size_t vertex) const {
   if (convex) return homogeneous_of(*convex, vertex, scale);
-  if (!space) return listed[vertex];
-  std::array<BigInteger, 4> h = space->homogeneous(vertices[vertex]);
+  std::array<BigInteger, 4> h = space ? space->homogeneous(vertices[vertex]) : listed[vertex];
   if (scale == 1) return h;
   for (std::size_t axis = 0; axis < 3; ++axis) h[axis] <<= shift;
   h[3] *= scale;

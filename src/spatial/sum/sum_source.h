@@ -27,7 +27,7 @@ struct SpatialPositions {
   std::shared_ptr<const ConvexPositions> convex;  ///< of a convex sum, which has no space
   exact::BigInteger scale = 1;                    ///< positions are those of space or convex places divided by it
   int shift = 0;                                  ///< and times 2^shift
-  /// Of a sum that was read, which has neither of these: positions (x, y, z) / w.
+  /// Of a sum that has neither of these, as one that was read: positions (x, y, z) / w.
   std::vector<std::array<exact::BigInteger, 4>> listed;
   std::shared_ptr<const struct MappedSum> mapped;  ///< of a sum that is the image of another one (mapped_sum.h)
 

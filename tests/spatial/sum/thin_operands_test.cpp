@@ -148,8 +148,11 @@ TEST(ThinOperands, two_of_them_give_the_volume_that_they_sweep) {
   const Mesh up = thin({{{0, 0, 0}, {1, 0, 3}}, {{0, 1}}}), along = thin({{{0, 0, 0}, {1, 1, 0}}, {{0, 1}}});
   EXPECT_EQ(sum(square, up).volume_exact(), 12);
   EXPECT_TRUE(sum(square, up) == sum(up, square));
+  SpatialOptions regular;
+  regular.semantics = Semantics::regular;
   for (const Mesh& flat : {along, square, thin({{{5, 5, 5}}, {{0}}})}) {
-    const Result<SpatialSum> none = minkowski_sum(square, flat);
+    EXPECT_EQ(minkowski_sum(square, flat).value().tight_faces.size(), 1u);
+    const Result<SpatialSum> none = minkowski_sum(square, flat, regular);
     ASSERT_FALSE(none.ok()) << none->faces.size() << " faces, volume " << none->volume();
     EXPECT_EQ(none.error().code, ErrorCode::unsupported_operand);
   }
@@ -162,12 +165,12 @@ TEST(ThinOperands, two_of_them_give_the_volume_that_they_sweep) {
     const Result<Mesh> p = Mesh::with_thin_parts(oracles::lattice_mesh(a)),
                        q = Mesh::with_thin_parts(oracles::lattice_mesh(b));
     if (!p || !q) continue;
-    const Result<SpatialSum> s = minkowski_sum(*p, *q);
+    const Result<SpatialSum> s = minkowski_sum(*p, *q, regular);
     EXPECT_EQ(s.ok(), expected > 0) << "seed " << 9000 + k;
     if (!s.ok() || expected == 0) continue;
     ++some;
     EXPECT_EQ(s->volume_exact(), static_cast<std::int64_t>(expected)) << "seed " << 9000 + k;
-    const Result<SpatialSum> reversed = minkowski_sum(*q, *p);
+    const Result<SpatialSum> reversed = minkowski_sum(*q, *p, regular);
     ASSERT_TRUE(reversed.ok()) << "seed " << 9000 + k;
     EXPECT_TRUE(*s == *reversed) << "seed " << 9000 + k;
   }

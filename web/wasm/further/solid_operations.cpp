@@ -22,14 +22,13 @@ SharedSum of_two(const Mesh& a, const Mesh& b, const val& options) {
   return shared(got(operation(a, b, spatial_options(options))));
 }
 /// Of a result, and a mesh or another one.
-using OfResultAndMesh = Result<SpatialSum> (*)(const SpatialSum&, const Mesh&, const SpatialOptions&);
-using OfResults = Result<SpatialSum> (*)(const SpatialSum&, const SpatialSum&, const SpatialOptions&);
-template <OfResultAndMesh with_mesh, OfResults with_result>
+using OfOperands = Result<SpatialSum> (*)(const SpatialOperand&, const SpatialOperand&, const SpatialOptions&);
+template <OfOperands operation>
 SharedSum of_result(const SpatialSum& a, const val& b, const val& options) {
   const SpatialOptions how = spatial_options(options);
   if (b.instanceof (val::module_property("Mesh")))
-    return shared(got(with_mesh(a, *b.as<std::shared_ptr<Mesh>>(), how)));
-  return shared(got(with_result(a, *b.as<SharedSum>(), how)));
+    return shared(got(operation(a, *b.as<std::shared_ptr<Mesh>>(), how)));
+  return shared(got(operation(a, *b.as<SharedSum>(), how)));
 }
 SharedSum union_of_meshes(const val& meshes, const val& options) {
   std::vector<Mesh> all;
@@ -92,8 +91,8 @@ EMSCRIPTEN_BINDINGS(solid_operations) {
   function("differenceOfMeshes", guarded<&of_two<&difference>>);
   function("symmetricDifferenceOfMeshes", guarded<&of_two<&symmetric_difference>>);
   function("byPlanes", guarded<&by_its_planes>);
-  function("sumOfResult", guarded<&of_result<&minkowski_sum, &minkowski_sum>>);
-  function("erodeResult", guarded<&of_result<&erode, &erode>>);
+  function("sumOfResult", guarded<&of_result<&minkowski_sum>>);
+  function("erodeResult", guarded<&of_result<&erode>>);
   function("opening", guarded<&opened>);
   function("closing", guarded<&closed>);
   function("offset", guarded<&offset_by>);
