@@ -3,6 +3,6 @@ import type { Dymsum } from 'dymsum';
 
 export type PageModule = Omit<
   Dymsum,
-  | 'united' | 'intersection' | 'difference' | 'symmetricDifference' | 'byPlanes' | 'opening' | 'closing' | 'offset' | 'scaleRange' | 'fitRange'
+  | 'united' | 'intersection' | 'difference' | 'symmetricDifference' | 'byPlanes' | 'byLines' | 'opening' | 'closing' | 'offset' | 'scaleRange' | 'fitRange'
   | 'SolidScaleEvents' | 'SolidRotationEvents' | 'SumLocator' | 'LocalSum' | 'PlanarLocalSum' | 'ScalingFamily'
 >;
