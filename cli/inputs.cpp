@@ -78,6 +78,7 @@ RegionFormat format_of_text(std::string_view text) {
   const auto first = std::find_if_not(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) != 0; });
   if (first == text.end()) return RegionFormat::poly;
   if (begins_like_dxf(text)) return RegionFormat::dxf;
+  if (text.starts_with("SQLite format 3")) return RegionFormat::gpkg;
   if (*first == '<') return RegionFormat::svg;
   if (*first == '{' || *first == '[') {
     return text.find("\"items\"") == std::string_view::npos ? RegionFormat::geojson : RegionFormat::json;

@@ -96,10 +96,10 @@ void refuse_unused_format(const std::vector<std::string>& files, const InputOpti
 /// Validates one shape of a file, or joins, snaps, fills and repairs it where requested.
 Result<Input> make_input(NamedShape shape, const std::string& file, const InputOptions& options);
 
-/// The format whose name is given ("poly", "wkt", "geojson", "svg", "json", "dxf").
+/// The format whose name is given ("poly", "wkt", "geojson", "svg", "json", "dxf", "gpkg").
 RegionFormat format_named(const std::string& name);
-/// dxf where the text begins like one; poly for digits, comments and signs; svg for "<"; wkt for letters; for "{" json
-/// when it has "items", else geojson.
+/// dxf and gpkg where the text begins like one; poly for digits, comments and signs; svg for "<"; wkt for letters; for
+/// "{" json when it has "items", else geojson.
 RegionFormat format_of_text(std::string_view text);
 
 template <class T>

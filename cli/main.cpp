@@ -24,7 +24,8 @@ namespace {
 using namespace dymsum::cli;
 
 constexpr const char* kFooter =
-    "Files: planar .poly .wkt .geojson .svg .json (nesting instances) .dxf, maps .yaml .map; FILE#NAME selects one "
+    "Files: planar .poly .wkt .geojson .svg .json (nesting instances) .dxf .gpkg, maps .yaml .map; FILE#NAME selects "
+    "one "
     "shape of "
     "several; - is standard\n"
     "input or output; solid .off .obj .stl .ply .glb .3mf; any of them also compressed, .gz. Results go to standard "

@@ -51,8 +51,9 @@ std::string format_name(const std::string& file, const std::string& to) {
 RegionFormat output_format(const std::string& file, const OutputOptions& options) {
   const std::string name = format_name(file, options.to);
   if (!mesh_format(name)) return require_format(region_format(name));
-  throw Stop(kUsage, (file == "-" ? "--to " + options.to : file) +
-                         " is a format of solids; planar regions are written as .poly .wkt .geojson .svg or .json");
+  throw Stop(kUsage,
+             (file == "-" ? "--to " + options.to : file) +
+                 " is a format of solids; planar regions are written as .poly .wkt .geojson .dxf .gpkg .svg or .json");
 }
 
 void check_outputs(const OutputOptions& options) {

@@ -23,10 +23,14 @@ install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDI
 
 # Programs that link the static library need what it uses as well.
 get_target_property(DYMSUM_TYPE dymsum TYPE)
+set(DYMSUM_PC_PACKAGES "pugixml tbb libzip zlib")
+if(DYMSUM_GEOPACKAGE)
+  string(APPEND DYMSUM_PC_PACKAGES " sqlite3")
+endif()
 if(DYMSUM_TYPE STREQUAL "STATIC_LIBRARY")
-  set(DYMSUM_PC_REQUIRES "Requires: pugixml tbb libzip zlib")
+  set(DYMSUM_PC_REQUIRES "Requires: ${DYMSUM_PC_PACKAGES}")
 else()
-  set(DYMSUM_PC_REQUIRES "Requires.private: pugixml tbb libzip zlib")
+  set(DYMSUM_PC_REQUIRES "Requires.private: ${DYMSUM_PC_PACKAGES}")
 endif()
 # The prefix as seen from the file: an installation may be moved, and installed with another --prefix.
 file(RELATIVE_PATH DYMSUM_PC_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")

@@ -13,8 +13,9 @@ endif()
 # Read before all others by what has precompiled headers: sorts in little code.
 set(DYMSUM_FIRST_HEADER "${PROJECT_SOURCE_DIR}/web/wasm/library/small_sort.h")
 
-# Loops in parallel are left out: their parts follow each other; and compressed files, with .3mf, which is one.
-set(DYMSUM_LEFT_OUT base/parallel.cpp io/archive.cpp io/mesh/read_3mf.cpp io/mesh/write_3mf.cpp)
+# Loops in parallel are left out: their parts follow each other; compressed files, with .3mf, which is one; and databases.
+set(DYMSUM_LEFT_OUT base/parallel.cpp io/archive.cpp io/mesh/read_3mf.cpp io/mesh/write_3mf.cpp io/region/database.cpp
+  io/region/read_gpkg.cpp io/region/write_gpkg.cpp)
 
 # Packages that are headers alone, by links: the whole of /usr/include would stand before the headers of emscripten's own
 # C library.

@@ -2,7 +2,7 @@
 
 readonly release=build/release debug=build/debug thread=build/thread program_parts=12
 readonly core_packages=(g++ cmake ninja-build libboost-dev nlohmann-json3-dev libpugixml-dev libcli11-dev libtbb-dev
-                       libcpp-httplib-dev libzip-dev zlib1g-dev pkg-config)
+                       libcpp-httplib-dev libzip-dev zlib1g-dev libsqlite3-dev pkg-config)
 readonly test_packages=(libgtest-dev libgmp-dev libmpfr-dev librsvg2-bin clang-14 libompl-dev)
 readonly verify_packages=(libcgal-dev clang-15 clang-16)
 readonly web_packages=(emscripten libfmt-dev libfast-float-dev xz-utils)

@@ -16,12 +16,12 @@ void add_solid_options(CLI::App& verb, SolidCommand& command, OperandKind kind) 
           "-o", command.files,
           std::string("Write the result; repeatable; by extension .off .obj .stl .ply .3mf (rounded), .glb (picture), "
                       ".json (exact, with provenance), .html (the viewer with the result)") +
-              (planar ? "; of regions .wkt .poly .geojson .dxf (rounded), .svg (picture), .json" : "") +
+              (planar ? "; of regions .wkt .poly .geojson .dxf .gpkg (rounded), .svg (picture), .json" : "") +
               "; - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   std::vector<std::string> formats{"off", "obj", "stl", "ply", "3mf", "glb", "json"};
-  if (planar) formats.insert(formats.end(), {"wkt", "poly", "geojson", "svg", "dxf"});
+  if (planar) formats.insert(formats.end(), {"wkt", "poly", "geojson", "svg", "dxf", "gpkg"});
   verb.add_option("--to", command.to, planar ? "Format of -o -; of regions wkt if not given" : "Format of -o -")
       ->check(CLI::IsMember(formats))
       ->capture_default_str();

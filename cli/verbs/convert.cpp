@@ -74,10 +74,11 @@ void add_convert(CLI::App& app, Action& action) {
       app.add_subcommand("convert", "Read a region or a solid and write it in another format, coordinates unchanged");
   command->parser = verb;
   verb->add_option("IN", command->in, "File, FILE#NAME for one shape of several, or - for standard input")->required();
-  verb->add_option("OUT", command->out,
-                   "File .poly .wkt .geojson .svg .json .dxf, of solids .off .obj .stl .ply .glb .3mf, .html (the "
-                   "viewer), or - for "
-                   "standard output")
+  verb->add_option(
+          "OUT", command->out,
+          "File .poly .wkt .geojson .svg .json .dxf .gpkg, of solids .off .obj .stl .ply .glb .3mf, .html (the "
+          "viewer), or - for "
+          "standard output")
       ->required();
   one_of(verb->add_option("--to", command->output.to, "Format of the output -; of solids off if not given"),
          file_formats(OperandKind::either))
@@ -91,6 +92,7 @@ void add_convert(CLI::App& app, Action& action) {
   verb->footer(
       "Example: dymsum convert monkey.poly monkey.geojson --repair\n"
       "         dymsum convert plate.dxf plate.svg --curve-error 0.01 --join 0.001 --snap 2^-20\n"
+      "         dymsum convert towns.gpkg#harbours harbours.geojson\n"
       "         dymsum convert part.stl part.3mf --repair=t-junctions,holes");
   verb->callback([command, &action] { action = [command] { return run(*command); }; });
 }

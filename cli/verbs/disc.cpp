@@ -56,7 +56,8 @@ void check(const DiscCommand& command) {
   if (!writes_to_stdout(command.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
   const auto& files = command.output.files;
   if (std::none_of(files.begin(), files.end(), [&](const auto& f) { return writes_polygons(f, command.output); }))
-    refuse_options(*command.parser, {"--error", "--bound"}, "is of polygons: -o FILE.wkt, .poly, .geojson or .dxf");
+    refuse_options(*command.parser, {"--error", "--bound"},
+                   "is of polygons: -o FILE.wkt, .poly, .geojson, .dxf or .gpkg");
 }
 
 using DiscMaker = std::function<Result<DiscSet>(const DiscRadius&)>;
@@ -256,7 +257,7 @@ void add_disc_outputs(CLI::App& verb, DiscCommand& command) {
   verb.add_option(
           "-o", command.output.files,
           "Write the result; repeatable; by extension .json (exact, pieces by name), .svg (true arcs), .poly .wkt "
-          ".geojson .dxf (polygons), .html (the viewer); - is standard output")
+          ".geojson .dxf .gpkg (polygons), .html (the viewer); - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
   one_of<RegionFormat>(verb.add_option("--to", command.output.to, "Format of -o -"))->capture_default_str();

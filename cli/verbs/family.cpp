@@ -131,10 +131,11 @@ void add_questions(CLI::App& verb, FamilyCommand& command) {
   verb.add_flag("--lifetimes", command.lifetimes, "List from where to where every vertex, edge and hole is there");
   verb.add_option("--outer", command.outer, "What lies in the sum at some scale of [A, B]")->type_name("A:B");
   verb.add_option("--inner", command.inner, "What lies in the sum at every scale of [A, B]")->type_name("A:B");
-  verb.add_option("-o", command.output.files,
-                  "Write .family (the family, to be queried again; .family.gz compressed), or one sum as .poly .wkt "
-                  ".geojson .dxf (rounded) or .json (exact); .svg shows the sums that are requested, or without any "
-                  "the lifetimes; - is standard output (wkt); repeatable")
+  verb.add_option(
+          "-o", command.output.files,
+          "Write .family (the family, to be queried again; .family.gz compressed), or one sum as .poly .wkt "
+          ".geojson .dxf .gpkg (rounded) or .json (exact); .svg shows the sums that are requested, or without any "
+          "the lifetimes; - is standard output (wkt); repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
 }

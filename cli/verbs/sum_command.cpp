@@ -77,7 +77,7 @@ SumNames names_of(const SumVerb& verb, std::size_t operands) {
 
 void add_output_options(CLI::App& verb, SumCommand& command, bool planar_result) {
   const std::string
-      planar = "by extension .poly .wkt .geojson .dxf (rounded), .json (exact, with provenance), .svg (picture)",
+      planar = "by extension .poly .wkt .geojson .dxf .gpkg (rounded), .json (exact, with provenance), .svg (picture)",
       stages = planar_result ? ", of planar operands stages.svg (the stages)" : ", stages.svg (the stages)",
       solid = planar_result ? "" : "; of solids .off .obj .stl .ply .3mf (rounded), .json, .glb, stages.glb";
   verb.add_option(

@@ -44,8 +44,9 @@ bool is_map(const fs::path& file) {
 
 /// The extension of the format that standard input is in.
 std::string extension_of_input(const InputOptions& options) {
-  constexpr std::array kPlanar{".poly", ".wkt", ".geojson", ".svg", ".json", ".dxf"};  // as RegionFormat has them
-  constexpr std::array kSolid{".off", ".obj", ".stl", ".ply", ".glb", ".3mf"};         // as MeshFormat has them
+  constexpr std::array kPlanar{".poly", ".wkt", ".geojson", ".svg",
+                               ".json", ".dxf", ".gpkg"};                       // as RegionFormat has them
+  constexpr std::array kSolid{".off", ".obj", ".stl", ".ply", ".glb", ".3mf"};  // as MeshFormat has them
   if (!options.from.empty()) return "." + options.from;
   if (const std::optional<MeshFormat> solid = mesh_format_of_input(options)) return kSolid.at(std::size_t(*solid));
   return kPlanar.at(std::size_t(format_of_text(standard_input())));
@@ -80,7 +81,7 @@ Json input_json(const ViewerInput& input) {
 /// Whether an operand is not all that its file holds, or not as it stands there.
 bool is_made(const std::string& operand, const InputOptions& options) {
   const auto ends = [&](const char* with) { return file_of_operand(operand).ends_with(with); };
-  if (ends(".gz") || ends(".3mf") || ends(".glb")) return true;  // formats that the page does not take
+  if (ends(".gz") || ends(".3mf") || ends(".glb") || ends(".gpkg")) return true;  // formats that the page does not take
   return holds_solid_result(operand, options) || holds_result(operand, options) || options.repair() ||
          !options.fill.empty() || !options.join.empty() || !options.snap.empty() || !options.curve_error.empty() ||
          !options.curve_bound.empty() || options.hull || is_map(operand) || file_of_operand(operand) != operand;

@@ -20,11 +20,12 @@ namespace dymsum {
 /// poly: the thesis's format (number of chains; per chain `n out|in`, n points, their order on an index line or more; #
 /// comments; glued numbers such as `-6.64248.788605` are split). wkt: any geometry. geojson: geometry, feature or
 /// collection, with curves. svg: path, polygon, polyline, rect, line, circle, ellipse, use. json: a nesting instance
-/// with `items`. dxf: polylines with bulges, lines, arcs, circles, ellipses, splines, points, blocks. Curves become
-/// chords (CurveOptions).
-enum class RegionFormat { poly, wkt, geojson, svg, json, dxf };
+/// with `items`. dxf: polylines with bulges, lines, arcs, circles, ellipses, splines, points, blocks. gpkg: GeoPackage,
+/// a database of layers, whose rows are shapes; its bytes are no text. Curves become chords (CurveOptions).
+enum class RegionFormat { poly, wkt, geojson, svg, json, dxf, gpkg };
 
-/// The format a path's extension names.
+/// The format a path's extension names. Error unsupported_format: none, or gpkg where the library was compiled without
+/// SQLite (WebAssembly).
 Result<RegionFormat> region_format(std::string_view path);
 /// Whether a text begins as .dxf files do: with a section, or with a comment that is not a number, on the line after
 /// its code. Other formats never do.
@@ -41,8 +42,9 @@ struct NamedShape {
 };
 
 /// All shapes of a file, or the one of "f.json#name"; "-" is standard input. Maps (.yaml, .map) are one shape, see
-/// docs/guide/files.md. Errors: cannot_open, unsupported_format, malformed, truncated, not_finite, each with file and
-/// line.
+/// docs/guide/files.md. Of a .gpkg all rows of all layers, named "layer/1"; "f.gpkg#layer" is all of a layer as one
+/// shape. Errors: cannot_open, unsupported_format, malformed, truncated, not_finite, each with file and line, of .gpkg
+/// with layer and row.
 Result<std::vector<NamedShape>> read_shapes(const std::string& path, const ReadOptions& options = {});
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
                                              std::string_view name_for_errors, const ReadOptions& options = {});
@@ -69,7 +71,8 @@ struct JoinedChains {
 /// or not finite; malformed where an end is within the tolerance of several others, with the position. O(n log n).
 Result<JoinedChains> joined_chains(RegionData data, double tolerance);
 
-/// The region in a format, coordinates with the fewest digits that read back to the same doubles.
+/// The region in a format, coordinates with the fewest digits that read back to the same doubles; gpkg, in bytes, holds
+/// these doubles themselves. Requires: a format that region_format knows; of gpkg, less than 10^9 bytes.
 std::string format_region(const Region& region, RegionFormat format);
 
 /// The same for a sum and its rounded region, with the tight features, every vertex of theirs correctly rounded.

@@ -2,6 +2,7 @@
 // scales at which it changes, what lives how long, and what holds for all scales and for some.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,9 +21,10 @@ struct FamilyInternals;
 /// The sums s P (+) Q (or P (+) s Q) for all s of an interval. Two threads may query one family at the same time.
 class ScalingFamily {
  public:
-  /// Finds all events in [low, high] and the structure between each two. Errors: bad_scale where low > high;
-  /// unsupported_operand for polylines and points, and as ScalingSum::create; cancelled; out_of_memory. Cost: that of
-  /// ScalingSum::events, some hundred sums of dozens of events each (docs/design/families.md).
+  /// Finds all events in [low, high] and the structure between each two. General regions. Errors: bad_scale where
+  /// low > high; as ScalingSum::create; cancelled; out_of_memory. Cost: that of ScalingSum::events, some hundred sums
+  /// of dozens of events each (docs/design/families.md), more with polylines and points, of which two sums an event are
+  /// computed from scratch.
   static Result<ScalingFamily> create(const Region& p, const Region& q, const Scale& low, const Scale& high,
                                       const FamilyOptions& options = {});
   /// The sums diag(s, r s) P (+) Q for all s of an interval; r from 2^-32 to 2^32. Errors: also bad_scale for other
@@ -60,9 +62,13 @@ class ScalingFamily {
     friend bool operator==(const Location&, const Location&) = default;
   };
   Location locate(const Scale& s) const;
-  /// Of all vertices, edges and holes, by feature, then as they first come. Errors: out_of_memory where structures are
-  /// not all kept.
+  /// Of all vertices, edges and holes of parts, by feature, then as they first come. Errors: out_of_memory where
+  /// structures are not all kept.
   Result<std::vector<Lifetime>> lifetimes() const;
+  /// Identities of the rings of at(s), part by part, the outer ring of each first, by which lifetimes name holes. At an
+  /// event a ring has that of a ring of the cell before with which it has a vertex in common, else of the cell after,
+  /// else 0; so it is where a structure is not kept. Cost: that of at(s). Errors: bad_scale outside the interval.
+  Result<std::vector<std::uint64_t>> ring_ids(const Scale& s) const;
 
   /// What lies in the sum at some scale of [a, b]: exact, closed. A union: (the union of s P over [a, b]) (+) Q.
   Result<PlanarSum> outer(const Scale& a, const Scale& b) const;

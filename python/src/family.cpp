@@ -105,6 +105,13 @@ void bind_family_events(nb::class_<ScalingFamily>& type) {
       .def(
           "lifetimes", [](const ScalingFamily& self) { return take(without_gil([&] { return self.lifetimes(); })); },
           "Of all vertices, edges and holes. Raises Error: out_of_memory where structures are not all kept.")
+      .def(
+          "ring_ids",
+          [](const ScalingFamily& self, const ScaleArgument& s) {
+            const Scale at = s.value();
+            return take(without_gil([&] { return self.ring_ids(at); }));
+          },
+          "s"_a, "Identities of the rings of at(s), part by part, outer ring first; 0 where a ring has none.")
       .def("work", &ScalingFamily::work);
 }
 
@@ -134,8 +141,8 @@ void bind_family_class(nb::module_& m) {
             new (self) ScalingFamily(created_family(p, q, low, high, ratio, options));
           },
           "p"_a, "q"_a, "low"_a, "high"_a, "ratio"_a = 1, "options"_a = FamilyOptions(),
-          "Sums diag(s, ratio s) P (+) Q for s in [low, high]. Raises Error: bad_scale; unsupported_operand for "
-          "polylines and points; cancelled; out_of_memory.")
+          "Sums diag(s, ratio s) P (+) Q for s in [low, high]. Raises Error: bad_scale; unsupported_operand for huge "
+          "coordinates; cancelled; out_of_memory.")
       .def_static("create", &created_family, "p"_a, "q"_a, "low"_a, "high"_a, "ratio"_a = 1,
                   "options"_a = FamilyOptions())
       .def("p", &ScalingFamily::p, nb::rv_policy::reference_internal)

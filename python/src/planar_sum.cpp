@@ -13,6 +13,7 @@
 #include "dymsum/sum_io.h"
 #include "enumeration.h"
 #include "extent.h"
+#include "file_content.h"
 #include "paths.h"
 #include "record.h"
 #include "remember.h"
@@ -292,9 +293,9 @@ True
   m.def(
       "format_sum",
       [](const PlanarSum& sum, const RegionArgument& rounded, RegionFormat format) {
-        return format_sum(sum, *rounded, format);
+        return content_of(format_sum(sum, *rounded, format), format);
       },
-      "sum"_a, "rounded"_a, "format"_a, "The sum with its tight features as text of a format.");
+      "sum"_a, "rounded"_a, "format"_a, "The sum with its tight features as text of a format; in gpkg as bytes.");
   m.def(
       "draw_sum",
       [](const RegionArgument& p, const RegionArgument& q, const PlanarSum& sum, const SumNames& names) {

@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "bind.h"
 #include "enumeration.h"
+#include "file_content.h"
 #include "paths.h"
 #include "record.h"
 
@@ -42,15 +43,15 @@ void bind_region_readers(nb::module_& m) {
       "read_shapes",
       [](const PathArgument& path, const ReadOptions& options) { return take(read_shapes(path.text, options)); },
       "path"_a, "options"_a = ReadOptions(),
-      "All shapes of a file (.poly, .wkt, .geojson, .svg, .dxf, nesting .json), or the one of \"f.json#name\". Raises "
-      "Error with file and line.");
+      "All shapes of a file (.poly, .wkt, .geojson, .svg, .dxf, nesting .json, .gpkg), or the one of \"f.json#name\", "
+      "of \"f.gpkg#layer\" or of \"f.gpkg#layer/row\". Raises Error with file and line.");
   m.def(
       "parse_shapes",
-      [](const std::string& text, RegionFormat format, const std::string& name, const ReadOptions& options) {
-        return take(parse_shapes(text, format, name, options));
+      [](const FileContent& text, RegionFormat format, const std::string& name, const ReadOptions& options) {
+        return take(parse_shapes(text.bytes, format, name, options));
       },
       "text"_a, "format"_a, "name_for_errors"_a = "text", "options"_a = ReadOptions(),
-      R"doc(The shapes of a text. Raises Error with `name_for_errors` and line.
+      R"doc(The shapes of a text, of gpkg of bytes. Raises Error with `name_for_errors` and line.
 
 >>> from dymsum import Region, RegionFormat, parse_shapes
 >>> shapes = parse_shapes("POLYGON((0 0, 4 0, 0 3, 0 0))\nPOLYGON((0 0, 1 0, 0 1, 0 0))", RegionFormat.wkt)
@@ -89,15 +90,18 @@ void bind_joined_chains(nb::module_& m) {
 
 void bind_region_writers(nb::module_& m) {
   m.def(
-      "format_region", [](const RegionArgument& region, RegionFormat format) { return format_region(*region, format); },
-      "region"_a, "format"_a, R"doc(The region as text; coordinates read back as the same doubles.
+      "format_region",
+      [](const RegionArgument& region, RegionFormat format) {
+        return content_of(format_region(*region, format), format);
+      },
+      "region"_a, "format"_a, R"doc(The region as text, in gpkg as bytes; coordinates read back as the same doubles.
 
 >>> from dymsum import RegionFormat, format_region
 >>> format_region([(0, 0), (0.1, 0), (0, 3)], RegionFormat.wkt)
 'POLYGON ((0 0,0.1 0,0 3,0 0))\n'
 )doc");
   m.def(
-      "write_file", [](const PathArgument& path, const std::string& text) { take(write_file(path.text, text)); },
+      "write_file", [](const PathArgument& path, const FileContent& text) { take(write_file(path.text, text.bytes)); },
       "path"_a, "text"_a, "Replaces a file as a whole. Raises Error: cannot_write.");
   m.def(
       "check_writable", [](const PathArgument& path) { take(check_writable(path.text)); }, "path"_a,

@@ -14,16 +14,46 @@
 #include "dymsum/rational.h"
 #include "dymsum/result.h"
 #include "exact/big.h"
+#include "fit/blocked_scales.h"
 #include "planar/operand/scale_value.h"
 
 namespace dymsum {
 
+/// Intervals of scales that are known to be blocked, in order; the scale at hand only rises.
+class KnownBlocked {
+ public:
+  void add(std::optional<BlockedScales> more) {
+    if (more) intervals_.push_back(*std::move(more));
+  }
+  /// Whether the open interval, which without `high` has no end, is blocked throughout; of the last that was added.
+  bool covers(const exact::BigRational& low, const std::optional<exact::BigRational>& high) const {
+    if (intervals_.empty()) return false;
+    const BlockedScales& last = intervals_.back();
+    return last.low <= low && (!last.high || (high && *high <= *last.high));
+  }
+  /// Whether a scale is; of scales that rise from call to call.
+  bool holds(const exact::BigRational& s) {
+    while (at_ < intervals_.size() && intervals_[at_].high && *intervals_[at_].high <= s) ++at_;
+    return at_ < intervals_.size() && intervals_[at_].low < s;
+  }
+
+ private:
+  std::vector<BlockedScales> intervals_;
+  std::size_t at_ = 0;
+};
+
+/// Knows nothing about blocked scales.
+struct NothingAbout {
+  std::optional<BlockedScales> operator()(const exact::BigRational&) const { return std::nullopt; }
+};
+
 /// The free set from an oracle that is constant between consecutive critical scales and closed: one question per gap,
-/// and one per critical scale between two blocked gaps. Above `limit` (if any) nothing is free.
-template <class Contacts, class Range, class Free>
+/// and one per critical scale between two blocked gaps, but for those that `about` knows to be blocked: called after
+/// the oracle said that a scale is blocked, it gives an interval about that. Above `limit` (if any) nothing is free.
+template <class Contacts, class Range, class Free, class About = NothingAbout>
 Result<void> free_intervals(const std::map<exact::BigRational, Contacts>& critical,
                             const std::optional<exact::BigRational>& limit, const Progress& progress, Range& range,
-                            Free&& free) {
+                            Free&& free, About&& about = {}) {
   using exact::BigRational;
   std::vector<BigRational> values;
   for (const auto& [s, contacts] : critical)
@@ -39,21 +69,25 @@ Result<void> free_intervals(const std::map<exact::BigRational, Contacts>& critic
   const auto stopped = [&](std::size_t queried) {
     return progress && !progress("scales", static_cast<double>(queried) / static_cast<double>(2 * n + 1));
   };
+  KnownBlocked blocked;
   for (std::size_t i = 0; i <= n; ++i) {
     if (stopped(i)) return cancelled();
     if (i == n && limit) break;
+    if (blocked.covers(i == 0 ? BigRational(0) : values[i - 1], i == n ? std::nullopt : std::optional(values[i])))
+      continue;
     const BigRational s = n == 0   ? BigRational(1)
                           : i == 0 ? BigRational(values[0] / 2)
                           : i == n ? BigRational(values[n - 1] * 2)
                                    : planar::simple_between(values[i - 1], values[i]);
     gap[i] = free(s);
+    if (!gap[i]) blocked.add(about(s));
     ++range.tested;
   }
   bool open = gap[0];
   if (open) range.free.push_back({});
   for (std::size_t i = 0; i < n; ++i) {
     if (stopped(n + 1 + i)) return cancelled();
-    const bool here = gap[i] || gap[i + 1] || (++range.tested, free(values[i]));
+    const bool here = gap[i] || gap[i + 1] || (!blocked.holds(values[i]) && (++range.tested, free(values[i])));
     if (here && !open) {
       range.free.push_back({});
       range.free.back().low = exact::to_rational(values[i]);

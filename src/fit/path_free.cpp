@@ -206,7 +206,52 @@ void PathFree::add(Critical& to, const BigRational& s, const WalkSegment* wall, 
   to[s].push_back(c);
 }
 
-PathFree::Critical PathFree::critical(const std::function<void(double)>& query) const {
+namespace {
+
+// The error of a cross or scalar product d . (u - v) from coordinates, times the sizes |d|_1 (|u|_1 + |v|_1): d is a
+// difference (1), so is u - v (1), products and their sum 1 each; and the sizes with what is made of them here.
+constexpr double kProduct = exact::rounding_bound(4 + 12, 64);
+
+/// A value, and what it errs by at most.
+struct Bounded {
+  double value = 0, error = 0;
+};
+
+/// A segment start + t d (0 <= t <= 1, where it does not scale, or s), start = still + s moved.
+struct ScalingSegment {
+  Point d, still, moved;
+  bool scales;
+};
+
+double size_of(Point v) { return std::abs(v.x) + std::abs(v.y); }
+
+/// Whether doubles prove that `still` + s `moved` is on the segment at no scale s > 0. What they do not decide may be.
+bool never_on(const ScalingSegment& on, Point still, Point moved) {
+  const Point u{still.x - on.still.x, still.y - on.still.y}, v{moved.x - on.moved.x, moved.y - on.moved.y};
+  const double size = kProduct * size_of(on.d);
+  const double u_size = size * (size_of(still) + size_of(on.still)) + exact::kUnderflow,
+               v_size = size * (size_of(moved) + size_of(on.moved)) + exact::kUnderflow;
+  const auto cross = [&](Point w) { return on.d.x * w.y - on.d.y * w.x; };
+  const auto dot = [&](Point w) { return on.d.x * w.x + on.d.y * w.y; };
+  const Bounded a{cross(u), u_size}, b{cross(v), v_size};
+  if ((a.value > a.error && b.value > b.error) || (a.value < -a.error && b.value < -b.error)) return true;
+  if (!(std::abs(b.value) > 2 * b.error)) return false;
+  // The root of a + b s, and how far from it the true one may be.
+  const double s = -a.value / b.value,
+               near = 4 * (a.error + std::abs(s) * b.error) / std::abs(b.value) + kProduct * std::abs(s);
+  if (!std::isfinite(s) || !std::isfinite(near)) return false;
+  if (s < -near) return true;
+  const double along = dot(u) + s * dot(v), length = dot(on.d) * (on.scales ? s : 1),
+               error = u_size + std::abs(s) * v_size + near * (std::abs(dot(v)) + v_size + dot(on.d)) +
+                       kProduct * (std::abs(dot(u)) + std::abs(s * dot(v)) + std::abs(length));
+  return along < -error || along - length > error;
+}
+
+}  // namespace
+
+PathFree::Critical PathFree::critical(const std::function<void(double)>& query, bool all_exactly) const {
+  const auto input = [&](std::uint32_t op, std::uint32_t v) { return base_->lattice->points[op]->input[v]; };
+  const auto difference = [](Point u, Point v) { return Point{u.x - v.x, u.y - v.y}; };
   Critical found;
   const double all = static_cast<double>(walls_.size() + corners_.size());
   double done = 0;
@@ -226,19 +271,34 @@ PathFree::Critical PathFree::critical(const std::function<void(double)>& query) 
   for (const WalkSegment& w : walls_) {
     query(done++ / all);
     const Segment wall{base_->operands[w.side].edge(w.edge), base_->operands[1 - w.side].source[w.vertex]};
+    const Point from = input(w.side, wall.edge.from), vertex = input(1 - w.side, wall.vertex);
+    const Point d = difference(input(w.side, wall.edge.to), from);
+    const ScalingSegment on =
+        w.side == 0 ? ScalingSegment{d, from, vertex, false} : ScalingSegment{d, vertex, from, true};
     for (std::uint32_t k = 0; k < count_; ++k)
-      values(wall, waypoint(k), [&](const BigRational& s) { add(found, s, &w, nullptr, k, waypoint(k), false); });
+      if (all_exactly || !never_on(on, input(0, first_ + k), input(1, reference_)))
+        values(wall, waypoint(k), [&](const BigRational& s) { add(found, s, &w, nullptr, k, waypoint(k), false); });
   }
   for (const WalkPair& corner : corners_) {
     query(done++ / all);
     const Pair v{base_->operands[0].source[corner.p], base_->operands[1].source[corner.q]};
     for (std::uint32_t k = 0; k + 1 < count_; ++k)
-      values(leg(k), v, [&](const BigRational& s) { add(found, s, nullptr, &corner, k, v, true); });
+      if (const Point from = input(0, first_ + k);
+          all_exactly || !never_on({difference(input(0, first_ + k + 1), from), from, input(1, reference_), false},
+                                   input(0, v.p), input(1, v.q)))
+        values(leg(k), v, [&](const BigRational& s) { add(found, s, nullptr, &corner, k, v, true); });
   }
   return found;
 }
 
-bool PathFree::free(const BigRational& s) const {
+ExactSource::Position PathFree::on_leg(std::uint32_t k, double t) const {
+  const auto& input = base_->lattice->points[0]->input;
+  const Point a = input[first_ + k], b = input[first_ + k + (count_ > 1 ? 1 : 0)];
+  const BigRational at = exact::exact_value(t), ax = exact::exact_value(a.x), ay = exact::exact_value(a.y);
+  return {ax + at * (exact::exact_value(b.x) - ax), ay + at * (exact::exact_value(b.y) - ay)};
+}
+
+std::optional<ExactSource::Position> PathFree::blocked_at(const BigRational& s, std::uint32_t& first) const {
   const ScaleValue value = scale_value(s);
   const std::shared_ptr<const Lattice> lattice = base_->lattice_at(base_->lattice_scale(value, value));
   const std::shared_ptr<const Operand> part = base_->operand_at(1, *lattice);
@@ -247,15 +307,21 @@ bool PathFree::free(const BigRational& s) const {
   start.on = count_ > 1 ? leg(0) : Segment{{0, first_, beside_}, reference_};
   start.first.pair = waypoint(0);
   round_position(*lattice, start);
-  if (collision.overlaps(start)) return false;
-  for (std::uint32_t k = 0; k + 1 < count_; ++k)
-    if (!leg_free(k, *lattice, collision)) return false;
-  return true;
+  if (collision.overlaps(start)) return on_leg(0, 0);
+  for (std::uint32_t i = 0; i + 1 < count_; ++i) {
+    const std::uint32_t k = (first + i) % (count_ - 1);
+    if (std::optional<ExactSource::Position> blocked = blocked_on(k, *lattice, collision)) {
+      first = k;
+      return blocked;
+    }
+  }
+  return std::nullopt;
 }
 
 // Where the leg meets no segment of the convolution, it lies inside or outside the open sum as a whole: one position
 // decides.
-bool PathFree::leg_free(std::uint32_t k, const Lattice& l, Collision& collision) const {
+std::optional<ExactSource::Position> PathFree::blocked_on(std::uint32_t k, const Lattice& l,
+                                                          Collision& collision) const {
   const Segment on = leg(k);
   const Pair from = waypoint(k), to = waypoint(k + 1);
   const auto at = [&](Pair v) {
@@ -305,9 +371,11 @@ bool PathFree::leg_free(std::uint32_t k, const Lattice& l, Collision& collision)
     p.second = cuts[i + 1];
     p.between = true;
     round_position(l, p);
-    if (collision.overlaps(p)) return false;
+    if (!collision.overlaps(p)) continue;
+    const double t = ((p.x - a.x) * ax + (p.y - a.y) * ay) / (ax * ax + ay * ay);
+    return on_leg(k, std::isfinite(t) ? std::clamp(t, 0.0, 1.0) : 0.5);
   }
-  return true;
+  return std::nullopt;
 }
 
 }  // namespace dymsum::planar

@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "dymsum/scale_range.h"
 #include "planar/arrangement/crossings.h"
 #include "planar/convolution/convolution.h"
 #include "planar/motion/operand_pair.h"
+#include "planar/position/exact_source.h"
 
 namespace dymsum::planar {
 
@@ -35,15 +37,23 @@ class PathFree {
 
   /// Scales at which something comes into contact with the path, with what does.
   using Critical = std::map<exact::BigRational, std::vector<ScaleContact>>;
-  /// `query` is called with the fraction that is done, and may throw.
-  Critical critical(const std::function<void(double)>& query) const;
-  /// Whether the part at this scale overlaps the obstacles nowhere on the path.
-  bool free(const exact::BigRational& s) const;
+  /// `query` is called with the fraction that is done, and may throw. Doubles leave out what provably never touches;
+  /// `all_exactly`: nothing, for tests.
+  Critical critical(const std::function<void(double)>& query, bool all_exactly = false) const;
+  /// A position of the path, near the one that was found, at which the part at this scale overlaps the obstacles; none
+  /// if it does so nowhere on the path. `leg` is looked at first, and then is the one that is blocked.
+  std::optional<ExactSource::Position> blocked_at(const exact::BigRational& s, std::uint32_t& leg) const;
+  bool free(const exact::BigRational& s) const {
+    std::uint32_t leg = 0;
+    return !blocked_at(s, leg);
+  }
 
  private:
   Pair waypoint(std::uint32_t k) const { return {first_ + k, reference_}; }
   Segment leg(std::uint32_t k) const { return {{0, first_ + k, first_ + k + 1}, reference_}; }
-  bool leg_free(std::uint32_t k, const Lattice& lattice, class Collision& collision) const;
+  std::optional<ExactSource::Position> blocked_on(std::uint32_t k, const Lattice& lattice,
+                                                  class Collision& collision) const;
+  ExactSource::Position on_leg(std::uint32_t k, double t) const;
   void add(Critical& to, const exact::BigRational& s, const WalkSegment* wall, const WalkPair* corner,
            std::uint32_t leg, Pair position, bool on_leg) const;
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/poll.h"
+#include "fit/blocked_scales.h"
 #include "fit/free_intervals.h"
 #include "fit/path_free.h"
 #include "planar/frame/scaling_events.h"
@@ -87,12 +88,20 @@ Result<ScaleRange> range_of(const Region& part, const std::vector<Point>& path, 
   const std::vector<Point>& vertices = (*base)->lattice->points[0]->input;
   std::uint32_t beside = 0;
   while (vertices[beside] == path[0]) ++beside;
+  const BlockedSearch search(**base);
   const PathFree walk(std::move(base).value(), first, static_cast<std::uint32_t>(path.size()), reference, beside);
   Poll poll(progress);
   poll.stage("contacts");
   ScaleRange range;
-  const Result<void> done = free_intervals(walk.critical([&](double fraction) { poll(fraction); }), limit, progress,
-                                           range, [&](const BigRational& s) { return walk.free(s); });
+  std::uint32_t leg = 0;
+  std::optional<ExactSource::Position> blocked;
+  const auto free = [&](const BigRational& s) {
+    blocked = walk.blocked_at(s, leg);
+    return !blocked;
+  };
+  const auto about = [&](const BigRational& s) { return search.about(*blocked, s); };
+  const Result<void> done =
+      free_intervals(walk.critical([&](double fraction) { poll(fraction); }), limit, progress, range, free, about);
   if (!done) return done.error();
   return range;
 } catch (const Cancelled&) {

@@ -90,7 +90,7 @@ const std::map<std::string, std::vector<std::string>> kForeign = {
     {"exact", {"boost/multiprecision/"}},
     {"planar", {"emmintrin.h"}},
     {"spatial", {"emmintrin.h"}},
-    {"io", {"nlohmann/", "pugixml.hpp", "zip.h", "zlib.h"}},
+    {"io", {"nlohmann/", "pugixml.hpp", "sqlite3.h", "zip.h", "zlib.h"}},
     {"nesting", {"nlohmann/"}},
     {"shape", {"boost/polygon/"}},
     {"cli", {"CLI/", "httplib.h", "malloc.h", "nlohmann/", "sys/socket.h", "unistd.h"}},

@@ -24,7 +24,7 @@ def compile_calls():
         "-DDYMSUM_UNITY=ON", "-DDYMSUM_BUILD_CLI=OFF", "-DDYMSUM_BUILD_TESTS=OFF")
     run("ninja", "-C", BUILD, "dymsum")
     run("g++", "-std=c++20", "-O0", "-g1", "-Iinclude", "tools/walk/calls.cpp", "-o", PROGRAM,
-        os.path.join(BUILD, "libdymsum.a"), "-ltbb", "-lpugixml", "-lzip", "-lz")
+        os.path.join(BUILD, "libdymsum.a"), "-ltbb", "-lpugixml", "-lzip", "-lz", "-lsqlite3")
 
 
 def is_special(function):

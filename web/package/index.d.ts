@@ -406,6 +406,8 @@ export interface ScalingFamily extends Disposable {
   events(): ScaleEvent[];
   changes(from: ExactInput, to: ExactInput, change?: 'visible' | 'topology'): ScaleEvent[];
   lifetimes(): Lifetime[];
+  /** Identities of the rings of the sum at a scale, by which lifetimes name holes; 0 where a ring has none. */
+  ringIds(s: ExactInput): Float64Array;
   /** What lies in the sum at some scale, and at every one. */
   outer(from: ExactInput, to: ExactInput): PlanarSum;
   inner(from: ExactInput, to: ExactInput): PlanarSum;

@@ -206,6 +206,9 @@ val region_shape(const RegionData& data) {
   return shape;
 }
 
-RegionFormat region_format_in(const std::string& name) { return enumerator(val(name), RegionFormat::wkt); }
+RegionFormat region_format_in(const std::string& text) {
+  static_assert(name(RegionFormat::gpkg) == names_of<RegionFormat>().back());  // a database, which needs SQLite
+  return enumerator(val(text), RegionFormat::wkt, std::span(names_of<RegionFormat>()).first<6>());
+}
 
 }  // namespace dymsum::web

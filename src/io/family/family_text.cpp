@@ -32,6 +32,8 @@ class NameCheck {
     Vector direction, still, moved;
   };
   bool names_an_edge(const Contact& c) const;
+  const char* fault_of_corner(const SumVertex& v) const;
+  bool sums_points(const SumVertex& v) const;
   Vector vertex(std::uint32_t op, std::uint32_t source) const;
   Line line(const Contact& c) const;
   bool on_line(const SumVertex& v, const Contact& c) const;
@@ -90,13 +92,31 @@ bool NameCheck::on_line(const SumVertex& v, const Contact& c) const {
          cross(l.direction, minus(vertex(1 - moved, source(1 - moved)), l.still)) == 0;
 }
 
-const char* NameCheck::fault(const SumVertex& v) const {
-  if (!names_an_edge(v.in) || !names_an_edge(v.out)) return "a vertex lies on an edge that is not there";
-  if (v.corner_p == SumVertex::kNone)
-    return cross(line(v.in).direction, line(v.out).direction) == 0 ? "a vertex lies on parallel lines" : nullptr;
+const char* NameCheck::fault_of_corner(const SumVertex& v) const {
   const auto& operands = path_.given->operands;
   if (v.corner_p >= operands[0].vertex_of_index.size() || v.corner_q >= operands[1].vertex_of_index.size())
     return "a vertex is the sum of vertices that are not there";
+  return nullptr;
+}
+
+/// Whether it is the sum of two points, which no edge carries.
+bool NameCheck::sums_points(const SumVertex& v) const {
+  const auto is_point = [&](std::uint32_t op, std::uint32_t index) {
+    const Operand& o = path_.given->operands[op];
+    const std::uint32_t source = o.vertex_of_index[index];
+    return std::any_of(o.components.begin(), o.components.end(),
+                       [&](const planar::Component& c) { return c.dimension == 0 && o.source[c.first] == source; });
+  };
+  return is_point(0, v.corner_p) && is_point(1, v.corner_q);
+}
+
+const char* NameCheck::fault(const SumVertex& v) const {
+  if (v.corner_p != SumVertex::kNone && fault_of_corner(v) == nullptr && sums_points(v))
+    return v.in == Contact{} && v.out == Contact{} ? nullptr : "a sum of two points lies on an edge";
+  if (!names_an_edge(v.in) || !names_an_edge(v.out)) return "a vertex lies on an edge that is not there";
+  if (v.corner_p == SumVertex::kNone)
+    return cross(line(v.in).direction, line(v.out).direction) == 0 ? "a vertex lies on parallel lines" : nullptr;
+  if (const char* fault = fault_of_corner(v)) return fault;
   return on_line(v, v.in) && on_line(v, v.out) ? nullptr : "a vertex does not lie on its edges";
 }
 

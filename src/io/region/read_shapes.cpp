@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/read_file.h"
+#include "io/region/gpkg.h"
 #include "io/region/grid_map.h"
 #include "io/source.h"
 
@@ -40,6 +41,7 @@ std::optional<RegionFormat> format_of_extension(std::string_view path) {
   if (text == ".svg") return RegionFormat::svg;
   if (text == ".json") return RegionFormat::json;
   if (text == ".dxf") return RegionFormat::dxf;
+  if (text == ".gpkg") return RegionFormat::gpkg;
   return std::nullopt;
 }
 
@@ -49,11 +51,12 @@ Result<RegionFormat> format_of_text(std::string_view text, std::string_view file
   const char first = start == std::string_view::npos ? '\0' : text[start];
   if (first == '{') return RegionFormat::json;
   if (first == '<') return RegionFormat::svg;
+  if (io::is_sqlite(text)) return RegionFormat::gpkg;
   if (begins_like_dxf(text)) return RegionFormat::dxf;
   if (first == '#' || io::is_digit(first)) return RegionFormat::poly;
   if (io::is_letter(first)) return RegionFormat::wkt;
   return file_error(ErrorCode::unsupported_format,
-                    "the text begins like none of .poly, .wkt, .geojson, .svg, .json, .dxf", file);
+                    "the text begins like none of .poly, .wkt, .geojson, .svg, .json, .dxf, .gpkg", file);
 }
 
 std::vector<NamedShape> read_format(const io::Source& source, RegionFormat format) {
@@ -66,6 +69,8 @@ std::vector<NamedShape> read_format(const io::Source& source, RegionFormat forma
       return io::read_svg(source);
     case RegionFormat::dxf:
       return io::read_dxf(source);
+    case RegionFormat::gpkg:
+      return io::read_gpkg(source);
     case RegionFormat::geojson:
     case RegionFormat::json:
       break;
@@ -117,18 +122,44 @@ Result<std::vector<NamedShape>> read_map(const Selection& selection) {
   }
 }
 
+/// Of a GeoPackage only what is selected is read.
+Result<std::vector<NamedShape>> read_database(std::string_view bytes, const Selection& selection,
+                                              const ReadOptions& options) {
+  if (std::optional<Error> error = io::unfinished_database(selection.file, bytes)) return *std::move(error);
+  try {
+    return io::read_gpkg({bytes, selection.file, options}, selection.shape);
+  } catch (io::ReadFailure& failure) {
+    return std::move(failure.error);
+  }
+}
+
+/// The file holds several shapes, and none is selected.
+Error error_of_several(const std::vector<NamedShape>& shapes, const std::string& path, bool database) {
+  std::string message =
+      "the file holds " + std::to_string(shapes.size()) + " shapes: select one as in " + path + "#" + shapes[0].name;
+  if (database)
+    message += ", or all of a layer as in " + path + "#" + shapes[0].name.substr(0, shapes[0].name.rfind('/')) +
+               "; its layers, with their rows: " + io::layers_of(shapes);
+  return file_error(ErrorCode::malformed, message, path);
+}
+
 }  // namespace
 
 Result<RegionFormat> region_format(std::string_view path) {
-  if (const auto format = format_of_extension(path)) return *format;
-  if (const auto format = format_of_extension(path.substr(0, path.rfind('#')))) return *format;
-  return file_error(ErrorCode::unsupported_format, "the extension is none of .poly, .wkt, .geojson, .svg, .json, .dxf",
-                    path);
+  std::optional<RegionFormat> format = format_of_extension(path);
+  if (!format) format = format_of_extension(path.substr(0, path.rfind('#')));
+  if (!format)
+    return file_error(ErrorCode::unsupported_format,
+                      "the extension is none of .poly, .wkt, .geojson, .svg, .json, .dxf, .gpkg", path);
+  if (*format == RegionFormat::gpkg && !io::has_geopackage())
+    return file_error(ErrorCode::unsupported_format,
+                      "GeoPackages are read and written by SQLite, which this dymsum was compiled without", path);
+  return *format;
 }
 
 Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat format,
                                              std::string_view name_for_errors, const ReadOptions& options) {
-  const io::PlainText plain(text);
+  const io::PlainText plain(text, format == RegionFormat::gpkg ? 0 : text.size());
   try {
     std::vector<NamedShape> shapes = read_format({plain.view(), name_for_errors, options}, format);
     name_shapes(shapes, name_for_errors);
@@ -149,12 +180,15 @@ Result<std::vector<NamedShape>> read_shapes(const std::string& path, const ReadO
   const std::optional<RegionFormat> known = format_of_extension(selection.file);
   if (selection.file != "-" && !known && !io::is_directory(selection.file))
     return file_error(ErrorCode::unsupported_format,
-                      "the extension is none of .poly, .wkt, .geojson, .svg, .json, .dxf, .yaml, .map", selection.file);
+                      "the extension is none of .poly, .wkt, .geojson, .svg, .json, .dxf, .gpkg, .yaml, .map",
+                      selection.file);
   const Result<std::string> text = io::read_file(selection.file);
   if (!text) return text.error();
   const Result<RegionFormat> format = known ? Result<RegionFormat>(*known) : format_of_text(*text, selection.file);
   if (!format) return format.error();
-  Result<std::vector<NamedShape>> shapes = parse_shapes(*text, *format, selection.file, options);
+  Result<std::vector<NamedShape>> shapes = *format == RegionFormat::gpkg
+                                               ? read_database(*text, selection, options)
+                                               : parse_shapes(*text, *format, selection.file, options);
   if (!shapes || !selection.shape) return shapes;
   Result<NamedShape> shape = select(std::move(shapes).value(), *selection.shape, selection.file);
   if (!shape) return shape.error();
@@ -173,10 +207,7 @@ Result<NamedShape> read_shape(const std::string& path, const ReadOptions& option
   std::vector<NamedShape> shapes = std::move(read).value();
   if (shapes.size() == 1) return std::move(shapes[0]);
   if (shapes.empty()) return file_error(ErrorCode::malformed, "the file holds no shape", path);
-  return file_error(
-      ErrorCode::malformed,
-      "the file holds " + std::to_string(shapes.size()) + " shapes: select one as in " + path + "#" + shapes[0].name,
-      path);
+  return error_of_several(shapes, path, format_of_extension(path) == RegionFormat::gpkg);
 }
 
 }  // namespace dymsum

@@ -192,7 +192,6 @@ class WktReader {
 
   /// The points of a CIRCULARSTRING: every other one is on an arc.
   ChordChain read_circular_string() {
-    take_third();
     skip();
     const std::size_t start = at_;
     const std::vector<Point> points = read_points();
@@ -209,6 +208,7 @@ class WktReader {
   /// A CIRCULARSTRING, a COMPOUNDCURVE, or a line with the word LINESTRING or without; nothing where it is EMPTY.
   ChordChain read_curve(int depth) {
     const std::string kind = read_kind();
+    take_third();
     if (take_empty()) return {};
     if (kind == "CIRCULARSTRING") return read_circular_string();
     if (kind == "COMPOUNDCURVE" && depth == 0) return read_compound_curve();
@@ -220,7 +220,6 @@ class WktReader {
 
   ChordChain read_compound_curve() {
     ChordChain whole;
-    take_third();
     read_list([&] {
       skip();
       const std::size_t start = at_;
@@ -337,6 +336,7 @@ class WktReader {
         data_->points.push_back(read_point());
       });
     } else if (kind == "CIRCULARSTRING" || kind == "COMPOUNDCURVE") {
+      take_third();
       if (take_empty()) return;
       add_polyline(kind == "CIRCULARSTRING" ? read_circular_string() : read_compound_curve());
     } else if (kind == "CURVEPOLYGON") {

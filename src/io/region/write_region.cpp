@@ -1,10 +1,11 @@
-// Regions as text in every format but SVG.
+// Regions as text in every format but SVG, which is drawn, and GeoPackage, which is no text.
 #include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "dymsum/region_io.h"
 #include "io/region/dxf_groups.h"
+#include "io/region/gpkg.h"
 #include "io/region/read_shapes.h"
 #include "io/region/sum_json.h"
 #include "io/source.h"
@@ -219,6 +220,8 @@ std::string format_region_data(const RegionData& data, RegionFormat format) {
       return write_svg(data);
     case RegionFormat::dxf:
       return write_dxf(data);
+    case RegionFormat::gpkg:
+      return write_gpkg(data);
     case RegionFormat::json:
       break;
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "dymsum/planar_sum.h"
@@ -345,6 +346,39 @@ std::vector<KineticSegment> kinetic_convolution(const Lattice& lattice, const Op
 
 bool makes_parallelograms(Semantics semantics, const Operand& p, const Operand& q) {
   return semantics != Semantics::open && has_component_without_area(p) && has_component_without_area(q);
+}
+
+SumsWithoutArea sums_without_area(const Operand& p, const Operand& q) {
+  SumsWithoutArea sums;
+  const std::array<const Operand*, 2> operands{&p, &q};
+  const auto add_edges = [&](std::uint32_t side, const std::vector<std::uint32_t>& edges,
+                             const std::vector<std::uint32_t>& vertices) {
+    for (const std::uint32_t e : edges)
+      for (const std::uint32_t v : vertices) sums.segments.push_back({side, e, v});
+  };
+  // The first walk vertex of each position, and the first walk edge of each edge.
+  const auto once = [](const Component& c, const auto& index_of) {
+    std::vector<std::uint32_t> found;
+    std::set<std::uint32_t> seen;
+    for (std::uint32_t k = c.first; k < c.last; ++k)
+      if (seen.insert(index_of(k)).second) found.push_back(k);
+    return found;
+  };
+  std::array<std::vector<std::array<std::vector<std::uint32_t>, 2>>, 2> of;  // operand -> component: edges, vertices
+  for (std::uint32_t op = 0; op < 2; ++op)
+    for (const Component& c : operands[op]->components) {
+      if (c.dimension == 2) continue;
+      auto& [edges, vertices] = of[op].emplace_back();
+      vertices = once(c, [&](std::uint32_t k) { return operands[op]->source[k]; });
+      if (c.dimension == 1) edges = once(c, [&](std::uint32_t k) { return operands[op]->edge_index[k]; });
+    }
+  for (const auto& [edges_p, vertices_p] : of[0])
+    for (const auto& [edges_q, vertices_q] : of[1]) {
+      add_edges(0, edges_p, vertices_q);
+      add_edges(1, edges_q, vertices_p);
+      if (edges_p.empty() && edges_q.empty()) sums.points.push_back({vertices_p[0], vertices_q[0]});
+    }
+  return sums;
 }
 
 std::vector<WalkSegment> parallelogram_sides(const Lattice& lattice, const Operand& p, const Operand& q) {

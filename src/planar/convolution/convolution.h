@@ -147,6 +147,14 @@ std::vector<KineticSegment> kinetic_convolution(const Lattice& lattice, const Op
 /// Whether there are any: in open sums they are none.
 bool makes_parallelograms(Semantics semantics, const Operand& p, const Operand& q);
 
+/// All that bounds closed sums of components without area, and is a piece of them, wherever the operands stand: each edge
+/// of one with each vertex of the other, once where a polyline is walked there and back; and sums of two points.
+struct SumsWithoutArea {
+  std::vector<WalkSegment> segments;
+  std::vector<WalkPair> points;
+};
+SumsWithoutArea sums_without_area(const Operand& p, const Operand& q);
+
 /// Two sides of the parallelogram of every pair of edges of two components without area that turns left; as polylines
 /// are walked there and back, those of the backward edges close it, counter-clockwise. O(n m) for n and m such edges.
 std::vector<WalkSegment> parallelogram_sides(const Lattice& lattice, const Operand& p, const Operand& q);

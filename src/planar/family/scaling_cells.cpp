@@ -11,24 +11,28 @@
 
 namespace dymsum::planar {
 
-std::uint32_t SumStructures::name(const SumVertex& vertex) {
-  const std::uint64_t k = key(vertex);
-  const auto [first, last] = index_.equal_range(k);
+std::uint32_t SumStructures::name_of(const SumVertex& vertex) const {
+  const auto [first, last] = index_.equal_range(key(vertex));
   for (auto at = first; at != last; ++at) {
     const SumVertex& known = names_[at->second];
     if (known.in == vertex.in && known.out == vertex.out && known.corner_p == vertex.corner_p &&
         known.corner_q == vertex.corner_q)
       return at->second;
   }
+  return kNoName;
+}
+
+std::uint32_t SumStructures::made_name(const SumVertex& vertex) {
+  if (const std::uint32_t known = name_of(vertex); known != kNoName) return known;
   names_.push_back(vertex);
   const auto index = static_cast<std::uint32_t>(names_.size() - 1);
-  index_.emplace(k, index);
+  index_.emplace(key(vertex), index);
   return index;
 }
 
 void SumStructures::add_ring(const SumRing& ring, std::uint32_t part, bool hole, std::uint64_t identity) {
   const auto first = static_cast<std::uint32_t>(items_.size());
-  for (const SumVertex& v : ring.vertices) items_.push_back(name(v));
+  for (const SumVertex& v : ring.vertices) items_.push_back(made_name(v));
   rings_.push_back({first, static_cast<std::uint32_t>(items_.size()), part, hole, identity});
 }
 
@@ -37,13 +41,13 @@ SumStructures::Pieces SumStructures::add_pieces(const PlanarSum& sum) {
   pieces.first = static_cast<std::uint32_t>(items_.size());
   const auto segments = [&](const std::vector<SumSegment>& from) {
     for (const SumSegment& s : from) {
-      items_.push_back(name(s.from));
-      items_.push_back(name(s.to));
+      items_.push_back(made_name(s.from));
+      items_.push_back(made_name(s.to));
     }
     return static_cast<std::uint32_t>(from.size());
   };
   const auto points = [&](const std::vector<SumVertex>& from) {
-    for (const SumVertex& v : from) items_.push_back(name(v));
+    for (const SumVertex& v : from) items_.push_back(made_name(v));
     return static_cast<std::uint32_t>(from.size());
   };
   pieces.segments = segments(sum.segments);
@@ -273,7 +277,6 @@ Result<ScalingCells> cells_along(std::shared_ptr<const OperandPair> base, const 
 Result<ScalingCells> empty_cells(const Region& p, const Region& q, const Scale& ratio, const FamilyOptions& options) {
   Result<std::shared_ptr<const OperandPair>> base = pair_of_regions(p, q, moving_options(options));
   if (!base) return base.error();
-  if (std::optional<Error> error = without_events(**base)) return *std::move(error);
   return cells_along(*base, ratio, options);
 }
 
@@ -349,6 +352,23 @@ Result<PlanarSum> ScalingCells::from_scratch(const Scale& s, Semantics semantics
   if (!at) return at.error();
   const LatticeScale scale = path.given->lattice_scale(scale_value((*at)[0]), scale_value((*at)[1]));
   return placed_sum(path.given->placed(scale), options);
+}
+
+std::vector<std::uint64_t> ScalingCells::ring_ids(const PlanarSum& sum, const Scale& s) const {
+  const std::vector<const SumRing*> rings = rings_of(sum);
+  std::vector<std::uint64_t> ids(rings.size(), 0);
+  const Location location = locate(s);
+  for (std::uint32_t cell = location.index; cell <= location.index + (location.event ? 1u : 0u); ++cell) {
+    if (!structures.kept(cell)) continue;
+    std::unordered_map<std::uint32_t, std::uint64_t> owner;  // of a name in the cell: its ring
+    for (const SumStructures::Ring& ring : structures.rings(cell))
+      for (const std::uint32_t name : structures.vertices(ring)) owner.try_emplace(name, ring.identity);
+    for (std::size_t r = 0; r < rings.size(); ++r)
+      for (std::size_t k = 0; k < rings[r]->vertices.size() && ids[r] == 0; ++k)
+        if (const auto at = owner.find(structures.name_of(rings[r]->vertices[k])); at != owner.end())
+          ids[r] = at->second;
+  }
+  return ids;
 }
 
 PlanarSum ScalingCells::in_cell(std::uint32_t cell, const Scale& s) const {

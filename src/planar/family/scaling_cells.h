@@ -37,6 +37,10 @@ class SumStructures {
   /// Appends a cell whose structure is not kept.
   void add_dropped() { cells_.push_back({0, 0, {}, false}); }
 
+  /// The name of a vertex, or none: another sum has it.
+  static constexpr std::uint32_t kNoName = 0xffffffff;
+  std::uint32_t name_of(const SumVertex& vertex) const;
+
   /// The vertices that are named; `at` of each is where it stood when it was first named.
   const std::vector<SumVertex>& names() const { return names_; }
   std::uint32_t cell_count() const { return static_cast<std::uint32_t>(cells_.size()); }
@@ -77,7 +81,7 @@ class SumStructures {
     Pieces pieces;
     bool kept = true;
   };
-  std::uint32_t name(const SumVertex& vertex);
+  std::uint32_t made_name(const SumVertex& vertex);
   void add_ring(const SumRing& ring, std::uint32_t part, bool hole, std::uint64_t identity);
   Pieces add_pieces(const PlanarSum& sum);
 
@@ -190,6 +194,9 @@ struct ScalingCells {
   void add_dropped_cell();
   /// The sum at a scale. Requires: it lies in the interval. Errors: as sums from scratch.
   Result<PlanarSum> at(const Scale& s, Semantics semantics) const;
+  /// The identities of the rings of a sum at a scale: of each that of the first ring with which it has a vertex in
+  /// common, of the scale's cell, or of those before and after the event; 0 where there is none.
+  std::vector<std::uint64_t> ring_ids(const PlanarSum& sum, const Scale& s) const;
 
  private:
   /// The scale of the path. Requires: s lies in the interval.

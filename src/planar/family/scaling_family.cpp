@@ -81,7 +81,7 @@ namespace {
 
 using exact::HomogeneousPoint;
 
-/// Rings at exact positions for a Boolean operation.
+/// Rings, and lines and points without area, at exact positions for a Boolean operation.
 class ExactRings {
  public:
   ExactRings() { set_.fill = Fill::positive; }
@@ -89,12 +89,7 @@ class ExactRings {
   /// Adds a ring as it is.
   void add(const std::vector<HomogeneousPoint>& ring) {
     Ring& rounded = set_.rings.emplace_back();
-    for (const HomogeneousPoint& v : ring) {
-      const Position at = reduced(v);
-      rounded.push_back({exact::round_to_double(at.x), exact::round_to_double(at.y)});
-      set_.fractions.push_back(exact::in_lowest_terms(v));
-      doubles_ &= is_double(set_.fractions.back(), rounded.back());
-    }
+    for (const HomogeneousPoint& v : ring) rounded.push_back(placed(v, set_.fractions));
   }
   /// Adds a quadrangle counter-clockwise; nothing where it has no area. Requires: it does not cross itself.
   void add_quadrangle(std::vector<HomogeneousPoint> ring) {
@@ -103,7 +98,24 @@ class ExactRings {
     if (area < 0) std::reverse(ring.begin(), ring.end());
     add(ring);
   }
+  /// Adds the convex hull of positions on one line: a segment, or a point.
+  void add_on_line(const std::vector<HomogeneousPoint>& positions) {
+    const auto before = [](const HomogeneousPoint& a, const HomogeneousPoint& b) {
+      const Position u = reduced(a), v = reduced(b);
+      return u.x != v.x ? u.x < v.x : u.y < v.y;
+    };
+    const auto [low, high] = std::minmax_element(positions.begin(), positions.end(), before);
+    if (before(*low, *high)) set_.lines.push_back({placed(*low, of_lines_), placed(*high, of_lines_)});
+    else set_.points.push_back(placed(*low, of_points_));
+  }
+  /// Adds a quadrangle, also where it has no area.
+  void add_closed_quadrangle(const std::vector<HomogeneousPoint>& ring) {
+    if (twice_area(ring) == 0) add_on_line(ring);
+    else add_quadrangle(ring);
+  }
   BooleanTerms terms() && {
+    set_.fractions.insert(set_.fractions.end(), of_lines_.begin(), of_lines_.end());
+    set_.fractions.insert(set_.fractions.end(), of_points_.begin(), of_points_.end());
     if (doubles_) set_.fractions.clear();
     BooleanTerms terms;
     terms.inputs.push_back(std::make_shared<const RingSet>(std::move(set_)));
@@ -112,6 +124,13 @@ class ExactRings {
   }
 
  private:
+  Point placed(const HomogeneousPoint& v, std::vector<HomogeneousPoint>& fractions) {
+    const Position at = reduced(v);
+    const Point rounded{exact::round_to_double(at.x), exact::round_to_double(at.y)};
+    fractions.push_back(exact::in_lowest_terms(v));
+    doubles_ &= is_double(fractions.back(), rounded);
+    return rounded;
+  }
   static BigRational twice_area(const std::vector<HomogeneousPoint>& ring) {
     BigRational sum = 0;
     Position last = reduced(ring.back());
@@ -124,6 +143,7 @@ class ExactRings {
   }
 
   RingSet set_;
+  std::vector<HomogeneousPoint> of_lines_, of_points_;
   bool doubles_ = true;
 };
 
@@ -134,8 +154,8 @@ SumOptions of_semantics(Semantics semantics) {
 }
 
 /// The union of diag(x s, y s) times a region for s in [a, b], exact and closed. Each point runs along a ray from the
-/// origin, so it is the region at both ends with a quadrangle for every edge. Requires: 0 < a <= b; parts only. Errors:
-/// as Boolean operations.
+/// origin, so it is the region at both ends with a quadrangle for every edge, which of a polyline's is a segment where
+/// its line passes the origin, and a segment for every point. Requires: 0 < a <= b. Errors: as Boolean operations.
 Result<PlanarSum> swept_region(const Region& region, const Factors& factors, const BigRational& a,
                                const BigRational& b) {
   const BigRational x = rational(factors.x), y = rational(factors.y);
@@ -158,6 +178,13 @@ Result<PlanarSum> swept_region(const Region& region, const Factors& factors, con
     add(part.outer);
     std::for_each(part.holes.begin(), part.holes.end(), add);
   }
+  for (const Polyline& line : region.polylines())
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      rings.add_on_line({at(line[k], a), at(line[k + 1], a)});
+      rings.add_on_line({at(line[k], b), at(line[k + 1], b)});
+      rings.add_closed_quadrangle({at(line[k], a), at(line[k + 1], a), at(line[k + 1], b), at(line[k], b)});
+    }
+  for (const Point& point : region.points()) rings.add_on_line({at(point, a), at(point, b)});
   return evaluate(std::move(rings).terms(), of_semantics(Semantics::closed));
 }
 
@@ -322,6 +349,12 @@ std::optional<ScaleEvent> ScalingFamily::next(const Scale& s, EventChange change
 Result<std::vector<Lifetime>> ScalingFamily::lifetimes() const {
   if (std::optional<Error> error = state_->not_all_kept("lifetimes")) return *std::move(error);
   return lifetimes_of(state_->cells.structures);
+}
+
+Result<std::vector<std::uint64_t>> ScalingFamily::ring_ids(const Scale& s) const {
+  const Result<PlanarSum> sum = at(s);
+  if (!sum) return sum.error();
+  return state_->cells.ring_ids(*sum, s);
 }
 
 Result<PlanarSum> ScalingFamily::outer(const Scale& a, const Scale& b) const {

@@ -39,6 +39,12 @@ std::uint64_t LineHashes::of(const PlanarSum& sum) {
     total += mixed(h, 1);
   }
   for (const SumSegment& s : sum.tight_segments) total += mixed(line(s.from.in), 2);
+  const auto end = [&](const SumVertex& v) {
+    if (v.corner_p != SumVertex::kNone) return mixed(v.corner_p, v.corner_q);
+    return mixed(line(v.in), line(v.out));
+  };
+  for (const SumSegment& s : sum.segments) total += mixed(mixed(end(s.from), end(s.to)), 3);
+  for (const SumVertex& v : sum.points) total += mixed(end(v), 4);
   total += 3 * sum.tight_points.size() + 5 * sum.segments.size() + 7 * sum.points.size();
   return total;
 }
@@ -74,6 +80,9 @@ class EventWalk {
   EventWalk(ScalingState& probe, const ScalingPath& path, const Progress& progress)
       : probe_(probe), path_(path), windows_(path.swept), lines_(path.swept), poll_(progress) {
     poll_.stage("events");
+    const auto& [p, q] = path.swept->operands;
+    windows_.edges_prove =
+        probe.options.semantics != Semantics::open || !has_component_without_area(p) || !has_component_without_area(q);
   }
 
   /// Visits the events in [from, to] in order until the visitor ends it. Errors: those of frames. Throws Cancelled.
@@ -223,13 +232,7 @@ Result<void> planar::walk_events(const ScalingPath& path, const MovingOptions& o
   }
 }
 
-std::optional<Error> planar::without_events(const OperandPair& base) {
-  if (base.regular) return std::nullopt;
-  return Error{ErrorCode::unsupported_operand, "events are defined for operands without polylines and points", {}};
-}
-
 Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& b, const Progress& progress) const {
-  if (std::optional<Error> error = without_events(*state_->base)) return *std::move(error);
   const BigRational low = rational(scale_value(a)), high = rational(scale_value(b));
   if (low > high)
     return Error{ErrorCode::bad_scale,
@@ -246,7 +249,6 @@ Result<std::vector<ScaleEvent>> ScalingSum::events(const Scale& a, const Scale& 
 
 Result<std::optional<ScaleEvent>> ScalingSum::next_event(const Scale& s, const Scale& limit, EventChange change,
                                                          const Progress& progress) const {
-  if (std::optional<Error> error = without_events(*state_->base)) return *std::move(error);
   const BigRational low = rational(scale_value(s)), high = rational(scale_value(limit));
   std::optional<ScaleEvent> found;
   if (low >= high) return found;

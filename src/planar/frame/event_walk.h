@@ -25,12 +25,9 @@ class EventVisitor {
   virtual bool passes(const ScaleEvent& event, const ScalingState& after) = 0;
 };
 
-/// Visits the events with scales t in [low, high], each t once: every visible one is among them. Requires: the pair is
-/// regular. Errors: cancelled; out_of_memory.
+/// Visits the events with scales t in [low, high], each t once: every visible one is among them. Errors: cancelled;
+/// out_of_memory.
 Result<void> walk_events(const ScalingPath& path, const MovingOptions& options, const exact::BigRational& low,
                          const exact::BigRational& high, const Progress& progress, EventVisitor& visitor);
-
-/// The error of operands with polylines or points, of which events are not defined.
-std::optional<Error> without_events(const OperandPair& base);
 
 }  // namespace dymsum::planar

@@ -47,6 +47,7 @@ class Collector {
     for (const auto& [i, j] : window_.touching) ends_of(i, j);
     for (const auto& [i, j] : window_.folds) ends_of(i, j);
     for (std::uint32_t i = 0; i < window_.pieces.size(); ++i) orders(i);
+    if (!window_.points.empty()) points();
     // Nearest doubles tell all but nearly equal ones.
     const auto order = [](const Value& a, const Value& b) {
       if (a.near != b.near) return a.near < b.near ? -1 : 1;
@@ -138,6 +139,7 @@ class Collector {
   // boundary: the open sum is open in space and scale together.
   template <class At>
   bool covered(At position, double error, const Taus& at) {
+    if (!window_.edges_prove) return false;
     const auto position_at = [&](double tau) {
       const auto [x, y] = position(tau);
       return EdgeSearch::Position{x, y, error, tau};
@@ -190,6 +192,52 @@ class Collector {
       return;
     }
     if (has_root(side, at) && on(exact, v.exact, side)) add_vertex(side);
+  }
+
+  /// A sum of two points, and what it sweeps in the window.
+  struct Spot {
+    WalkPair walk;
+    End at;
+    double x0, y0, x1, y1;
+  };
+  Spot spot(WalkPair v) const {
+    const MovingPoint at = window_.position(v);
+    const auto [x0, x1] = std::minmax({at.x.at(all_.low), at.x.at(all_.high)});
+    const auto [y0, y1] = std::minmax({at.y.at(all_.low), at.y.at(all_.high)});
+    return {
+        v, {window_.exact(v), at.x, at.y}, x0 - point_error_, y0 - point_error_, x1 + point_error_, y1 + point_error_};
+  }
+
+  // Scales at which a sum of two points comes onto a segment, or onto another such sum.
+  void points() {
+    std::vector<Spot> spots;
+    for (const WalkPair& v : window_.points) spots.push_back(spot(v));
+    for (std::uint32_t i = 0; i < window_.segments.size(); ++i) {
+      const std::array<End, 2> of = ends_of_segment(i);
+      for (const Spot& s : spots) {
+        count(1);
+        comes_onto(i, of, s.at);
+      }
+    }
+    std::sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) { return a.x0 < b.x0; });
+    for (std::size_t i = 0; i < spots.size(); ++i)
+      for (std::size_t j = i + 1; j < spots.size() && spots[j].x0 <= spots[i].x1; ++j) {
+        count(1);
+        if (spots[j].y0 <= spots[i].y1 && spots[i].y0 <= spots[j].y1) meet(spots[i], spots[j]);
+      }
+  }
+
+  // The scale at which two sums of points are one, unless they are so at all: on a line through the points of one
+  // operand, on which the sums stay, one passes the other.
+  void meet(const Spot& a, const Spot& b) {
+    const Pair u = a.at.exact, v = b.at.exact;
+    const auto input = [&](std::uint32_t op, std::uint32_t k) { return window_.base().lattice->points[op]->input[k]; };
+    const bool by_p = !(input(0, u.p) == input(0, v.p));
+    const Segment line = by_p ? Segment{{0, u.p, v.p}, u.q} : Segment{{1, u.q, v.q}, u.p};
+    if (!forms_.side(line, v).always_zero()) return;
+    const auto position = [&](double tau) { return std::pair{a.at.x.at(tau), a.at.y.at(tau)}; };
+    if (const ExactForm form = forms_.along(line, v); has_root(form, all_))
+      add(form, ScaleEvent::Kind::vertex_on_segment, line, {Cut::Kind::pair, v, {}}, position, point_error_);
   }
 
   // Two segments that are not parallel have a point in common where a form vanishes.

@@ -288,7 +288,8 @@ void CentreParities::fill(const Bitmap& boundary, Raster& raster) const {
 }
 
 SumGrid::SumGrid(std::array<double, 2> width, std::array<double, 2> height, int cells) {
-  const double longer = std::max(width[0] + width[1], height[0] + height[1]);
+  constexpr double kLeast = 0x1p-900;  // two points have no size
+  const double longer = std::max({width[0] + width[1], height[0] + height[1], kLeast});
   whole.cell = longer / cells;
   whole.per_cell = cells / longer;
   part = {whole, whole};

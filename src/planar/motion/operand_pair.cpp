@@ -284,7 +284,9 @@ bool ExactFrame::inside_right_of(const Segment& on, const std::optional<Segment>
 }
 
 // Both lie on one contact whose edge is upright (axis 0) or level (axis 1): rectilinear shapes ask this all the time.
+// What no boundary passes may be a sum of two points, which no contact carries, whatever it names.
 bool FrameSource::on_common_line(const SumVertex& a, const SumVertex& b, int axis) const {
+  if (a.in == a.out || b.in == b.out) return false;
   const auto straight = [&](const Contact& c) {
     const std::uint32_t op = c.kind == Contact::Kind::edge_of_p ? 0 : 1;
     if (op == base_->moved && std::holds_alternative<Orientation>(at_)) return false;

@@ -25,21 +25,23 @@ WindowFrame swept_frame(const WindowSettings& settings) {
 }  // namespace
 
 Window::Window(const OperandPair& base, const ReducedConvolution& convolution, const WindowSettings& settings)
-    : base_(base), frame_(settings.frame) {
+    : edges_prove(settings.edges_prove), base_(base), frame_(settings.frame) {
   const WindowFrame swept = swept_frame(settings);
   const std::uint32_t m = frame_.moving;
   span_ = std::max(base.width[1 - m], base.height[1 - m]) + 2 * frame_.tau1 * std::max(base.width[m], base.height[m]);
   const CoveredCells mask = swept_cells(base, swept, settings.cells, settings.mask);
   Scratch memory;
   add_live(convolution, swept, mask, &memory);
+  if (!base.regular) add_without_area();
   const Array<PieceEnds> ends = cut_pieces(*this, swept, mask, &memory);
   EdgeSearch search(*this);
   const auto touch_pairs =
-      find_candidates(*this, swept, mask, ends, settings, {settings.covers ? &search : nullptr, settings.memory});
+      find_candidates(*this, swept, mask, ends, settings,
+                      {settings.covers && settings.edges_prove ? &search : nullptr, settings.memory});
   abandoned = !touch_pairs || settings.stop.stop_requested();
   if (abandoned) return;
   make_nodes(*this, *touch_pairs);
-  if (settings.covers) drop_covered_nodes(*this, swept);
+  if (settings.covers && settings.edges_prove) drop_covered_nodes(*this, swept);
   index(candidates, pieces.size());
   link_pieces(convolution);
 }
@@ -113,6 +115,16 @@ void Window::add_live(const ReducedConvolution& convolution, const WindowFrame& 
     }
   });
   segments.assign(found.begin(), found.end());
+}
+
+// They are in no convolution, and have the ids after its own.
+void Window::add_without_area() {
+  SumsWithoutArea sums = sums_without_area(base_.operands[0], base_.operands[1]);
+  for (const WalkSegment& w : sums.segments) {
+    segments.push_back(segment(w, static_cast<std::uint32_t>(live.size())));
+    live.push_back(static_cast<std::uint32_t>(segments.size() - 1));
+  }
+  points = std::move(sums.points);
 }
 
 LiveSegment Window::segment(const WalkSegment& w, std::uint32_t id) const {

@@ -120,6 +120,7 @@ struct WindowSettings {
   int cells = 64;  ///< along the grid's longer side
   bool mask = true;
   bool covers = true;  ///< leave out crossings and nodes that two edges prove covered while they exist
+  bool edges_prove = true;  ///< edges that cross prove a position covered: two polylines do not in an open sum
   std::uint64_t most_pairs = UINT64_MAX;  ///< the window is abandoned when more boxes of pieces meet
   CoverMemory* memory = nullptr;          ///< of windows of the same convolution
   base::StopToken stop;                   ///< the window is abandoned when that is requested
@@ -148,6 +149,9 @@ class Window : public CandidateIndex {
   std::vector<std::uint32_t> head_ray, tail_ray, node_of_ray;  ///< piece -> ray at its end or kNone; ray -> node
   std::vector<std::array<std::uint32_t, 2>> touching;          ///< segments that meet in such nodes
   base::CountedArray<std::uint32_t> live;                      ///< id in the convolution -> live segment or kNone
+  /// Sums of two points, which no segment has; with components without area in both operands.
+  std::vector<WalkPair> points;
+  bool edges_prove = true;  ///< WindowSettings::edges_prove
 
   /// The sign of d_a x d_b of two segments.
   int cross(std::uint32_t a, std::uint32_t b) const;
@@ -174,6 +178,7 @@ class Window : public CandidateIndex {
  private:
   void add_live(const ReducedConvolution& convolution, const WindowFrame& swept, const CoveredCells& mask,
                 Scratch* memory);
+  void add_without_area();
   LiveSegment segment(const WalkSegment& w, std::uint32_t id) const;
   void link_pieces(const ReducedConvolution& convolution);
 

@@ -167,6 +167,7 @@ WindowSettings WindowBuilder::settings_for(const BigRational& low, const BigRati
   settings.frame.centre_x = base_->width[settings.frame.moving] / 2;
   settings.frame.centre_y = base_->height[settings.frame.moving] / 2;
   settings.shrink = shrink;
+  settings.edges_prove = edges_prove;
   return settings;
 }
 

@@ -134,7 +134,8 @@ class WindowBuilder {
   std::shared_ptr<const ReducedConvolution> convolution() const { return convolution_; }
   /// The settings of a window for scales in [low, high]: all but the grid. At `at` the smaller operand moves.
   WindowSettings settings_for(const exact::BigRational& low, const exact::BigRational& high, double at) const;
-  double shrink = 1;  ///< tests only, see WindowSettings
+  double shrink = 1;         ///< tests only, see WindowSettings
+  bool edges_prove = true;  ///< see WindowSettings
 
  private:
   WindowSettings with_grid(WindowSettings settings) const;

@@ -24,6 +24,8 @@ namespace {
 using SurfacePart = SurfaceEdits::Part;
 constexpr std::uint32_t kNoVertex = 0xffffffff;
 constexpr int kRounds = 64;
+// A tolerance is given up after so many rounds in which no fewer pairs meet than before, and after so many pairs a part.
+constexpr std::size_t kVainRounds = 16, kMostMeetings = 2;
 // A distance of two positions in doubles is off by a relative error of at most 2^-49: this is above it.
 constexpr double kAbove = 1 + 0x1p-40;
 
@@ -79,11 +81,16 @@ class Separation {
   /// Whether nothing meets any more, once what is nearer than the tolerance is merged.
   bool run(double tolerance) {
     tolerance_ = tolerance;
+    std::size_t fewest = SIZE_MAX, last = 0, looked_at = 0;
     for (; can_go_on(); ++round_) {
       if (!flatten()) continue;
       const std::shared_ptr<const Meetings> first = std::exchange(first_, nullptr);
       const Meetings met = first ? *first : meetings();
       if (met.empty()) return true;
+      // Surfaces that run into each other over and over meet in more pairs from round to round.
+      if (met.size() < fewest) fewest = met.size(), last = 0;
+      looked_at += met.size();
+      if (++last > kVainRounds || looked_at > kMostMeetings * (edits_.parts().size() + 1024)) return false;
       resolve(met);
     }
     return false;

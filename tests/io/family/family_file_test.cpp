@@ -91,6 +91,15 @@ TEST(FamilyFile, what_is_read_is_what_was_written) {
   }
 }
 
+TEST(FamilyFile, of_polylines_and_points_is_read) {
+  const Region wire =
+      Region::create({{}, {{{0, 0}, {1.5, 0.25}, {1, 1.25}}, {{-1, -0.5}, {-0.75, 1}}}, {{2, 2}, {-2, 1}}}).value();
+  expect_kept_in_a_file(ScalingFamily::create(plate_with_slot(), wire, scale_of("1/2"), scale_of("2")).value());
+  const ScalingFamily wires = ScalingFamily::create(wire, wire, scale_of("2/3"), scale_of("3/2")).value();
+  expect_kept_in_a_file(wires);
+  EXPECT_FALSE(wires.at(scale_of("4/5")).value().points.empty()) << "sums of two points are in the file";
+}
+
 TEST(FamilyFile, of_few_kept_cells_and_of_one_cell_is_read) {
   FamilyOptions options;
   options.structure_bytes = 1500;

@@ -99,6 +99,12 @@ TEST(ReadWkt, third_coordinates_are_left_out_on_request) {
   const auto flat = [](const char* text) {
     return parse_shapes(text, RegionFormat::wkt, "text", {ThirdCoordinates::dropped, {}}).value().at(0).data;
   };
+  EXPECT_EQ(
+      flat("COMPOUNDCURVE Z (CIRCULARSTRING Z (0 0 1, 1 1 1, 2 0 1), LINESTRING Z (2 0 1, 3 0 1), LINESTRING Z EMPTY)"),
+      read_one("COMPOUNDCURVE (CIRCULARSTRING (0 0, 1 1, 2 0), LINESTRING (2 0, 3 0))", kWkt));
+  EXPECT_EQ(flat("CIRCULARSTRING Z EMPTY"), RegionData{});
+  EXPECT_EQ(flat("CURVEPOLYGON Z (LINESTRING Z (0 0 1, 1 0 1, 0 1 1, 0 0 1))"),
+            read_one("POLYGON ((0 0, 1 0, 0 1, 0 0))", kWkt));
   EXPECT_EQ(flat("POLYGON Z ((0 0 1, 1 0 2, 0 1 3, 0 0 4), EMPTY)"), read_one("POLYGON ((0 0, 1 0, 0 1, 0 0))", kWkt));
   EXPECT_EQ(flat("POLYGONZM((0 0 1 9,1 0 2 9,0 1 3 9,0 0 4 9))"), flat("POLYGON ((0 0, 1 0, 0 1, 0 0))"));
   EXPECT_EQ(flat("MULTIPOINT M ((1 2 3), EMPTY, (3 4 5))"), flat("MULTIPOINT (1 2, 3 4)"));

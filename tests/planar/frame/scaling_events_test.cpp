@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <tuple>
+#include <vector>
 
 #include "dymsum/shapes.h"
 #include "oracles/random.h"
@@ -245,12 +247,26 @@ TEST(ScaleEvents, nearly_parallel_segments_are_candidates_only_where_their_lines
   EXPECT_GT(close, 20u);
 }
 
-TEST(ScaleEvents, ranges_and_operands_that_have_no_events_give_errors) {
-  RegionData line;
-  line.polylines.push_back({{0, 0}, {1, 0}});
-  const Region p = shapes::rectangle(0, 0, 1, 1), q = Region::create(line).value();
-  EXPECT_EQ(ScalingSum::create(p, q).value().events(Scale(), scale_of(2, 1)).error().code,
-            ErrorCode::unsupported_operand);
+TEST(ScaleEvents, of_a_rod_and_a_slot_is_the_scale_at_which_it_fits_no_longer) {
+  // A slot of width 2 in a frame, and a rod of length 1 that grows.
+  const Region slot =
+      Region::create({{{{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{{2, 1}, {2, 5}, {4, 5}, {4, 1}}}}}, {}, {}}).value();
+  const Region rod = Region::create({{}, {{{0, 0}, {1, 0}}}, {}}).value();
+  MovingOptions options;
+  options.moving = MovingOperand::q;
+  options.reflect_q = true;
+  const ScalingSum sum = ScalingSum::create(slot, rod, options).value();
+  const std::vector<ScaleEvent> events = sum.events(scale_of(1, 2), scale_of(5, 1)).value();
+  std::vector<std::string> topological;
+  for (const ScaleEvent& e : events)
+    if (e.topology) topological.push_back(e.parameter.to_string());
+  EXPECT_EQ(topological, std::vector<std::string>{"2/1"});
+  EXPECT_EQ(sum.next_event(scale_of(1, 2), scale_of(5, 1), EventChange::topology).value()->parameter.to_string(),
+            "2/1");
+}
+
+TEST(ScaleEvents, of_an_empty_range_is_an_error) {
+  const Region p = shapes::rectangle(0, 0, 1, 1);
   EXPECT_EQ(ScalingSum::create(p, p).value().events(scale_of(2, 1), Scale()).error().code, ErrorCode::bad_scale);
 }
 

@@ -286,6 +286,8 @@ test('a family has every sum of its interval, its changes and lifetimes', () => 
   assert.ok(lives.every(({ firstCell, lastCell }) => firstCell <= lastCell && lastCell <= events.length) && kinds.has('edge'));
   const begin = lives.filter(({ feature, firstCell }) => feature === 'vertex' && firstCell === 0);
   assert.equal(begin.length, family.at(0.5).shape().ringStarts.at(-1), 'the vertices of the first cell');
+  const holes = lives.filter(({ feature, firstCell }) => feature === 'hole' && firstCell === 0), ids = family.ringIds(0.5);
+  assert.deepEqual(holes.map(({ hole }) => hole).sort(), Array.from(ids.slice(1)).sort(), 'of one part all rings but the first are holes');
   const [inner, outer] = [family.inner(0.5, 2), family.outer(0.5, 2)], regular = { semantics: 'regular' };
   for (const s of scales) {
     assert.equal(dymsum.difference(inner, family.at(s), regular).partCount, 0, `${s}`);

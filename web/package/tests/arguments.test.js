@@ -61,7 +61,7 @@ function* calls() {
   yield [dymsum.RotatingSum.create(square, bar), 'set', [0.5]];
   yield [dymsum.ScalingFamily, 'create', [square, bar, 1, '3/2', {}]];
   const family = dymsum.ScalingFamily.create(square, bar, 1, 2);
-  yield [family, 'at', ['3/2']];
+  for (const name of ['at', 'ringIds']) yield [family, name, ['3/2']];
   yield [family, 'changes', [1, 2, 'visible']];
   for (const name of ['outer', 'inner']) yield [family, name, [1, 2]];
   yield [dymsum.PlanarDepth, 'create', [square, bar]];

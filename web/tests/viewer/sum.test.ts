@@ -1,7 +1,7 @@
 // The page of sums: every control does what it says.
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { choose, close, drag, dropFiles, launch, open, readout, readoutOtherThan, set, settled, type OpenOptions } from './viewer';
+import { choose, close, drag, dropFiles, launch, open, pixelsOf, readout, readoutOtherThan, set, settled, type OpenOptions } from './viewer';
 
 let browser: Browser;
 beforeAll(async () => void (browser = await launch()));
@@ -63,6 +63,74 @@ describe('the page of sums', () => {
     await page.getByRole('button', { name: 'Find all' }).click();
     await expect.poll(() => page.locator('.ticks i').count(), { timeout: 60_000 }).toBeGreaterThan(0);
     expect(await page.locator('.ticks i.strong').count()).toBeGreaterThan(0);
+    await close(it);
+  });
+  it('shows what lives how long, marks it in the picture, and takes its frames from the family', async () => {
+    const it = await opened(), { page } = it, at = ['1/2', '3/2', '5/7', '2'];
+    await page.getByRole('button', { name: 'Examples' }).click();
+    await page.getByRole('button', { name: 'A bar that fits exactly: comb' }).click();
+    await choose(page, 'What is computed', 'P ⊕ −Q');
+    await settled(page);
+    const areas = async (): Promise<string[]> => {
+      const found: string[] = [];
+      for (const s of at) {
+        await set(page, 'Exactly', s);
+        await settled(page);
+        found.push(`${await readout(page, 'vertices')} ${await page.getByRole('button', { name: 'Copy the exact area' }).innerText()}`);
+      }
+      return found;
+    };
+    const before = await areas(), bars = page.locator('.lifetimes [role=option]'), marked = (): Promise<number> => pixelsOf(page, '--mark');
+    expect(await bars.count()).toBe(0);
+    await page.getByRole('button', { name: 'Find all' }).click();
+    await expect.poll(() => bars.count(), { timeout: 60_000 }).toBeGreaterThan(3);
+    expect(await page.locator('.lifetimes p').first().innerText()).toMatch(/hole.*edge.*vert/);
+    expect(await areas()).toEqual(before); // the family's sums are those of before
+
+    // A bar over the scale of now: what it stands for is marked while it is pointed at, and stays marked once it is chosen.
+    await set(page, 'Exactly', '1');
+    await settled(page);
+    const edge = page.locator('.lifetimes [role=option][aria-label^="edge"]').first(), none = await marked();
+    await edge.hover();
+    await expect.poll(marked).toBeGreaterThan(none);
+    expect(await page.locator('.stage .status').innerText()).toMatch(/^edge: /);
+    await edge.click();
+    await page.mouse.move(5, 5);
+    expect([await edge.getAttribute('aria-selected'), (await marked()) > none]).toEqual(['true', true]);
+
+    // The line of now stands where the slider's thumb does.
+    const slider = (await page.getByRole('slider', { name: 'Scale of Q' }).boundingBox())!, line = (await page.locator('.lifetimes .now').boundingBox())!;
+    const share = (1 - 0.05) / (4 - 0.05), thumb = slider.x + 8 + share * (slider.width - 16);
+    expect(Math.abs(line.x + line.width / 2 - thumb)).toBeLessThan(3);
+
+    await page.locator('.lifetimes svg').focus();
+    await page.keyboard.press('ArrowDown');
+    expect(await page.locator('.lifetimes [role=option][aria-selected=true]').count()).toBe(1);
+    await choose(page, 'Which lives are shown', 'Shortest');
+    await expect.poll(() => bars.count()).toBeGreaterThan(3);
+    await page.getByLabel('Shape of Q').selectOption('gear'); // of other shapes they say nothing
+    await expect.poll(() => bars.count()).toBe(0);
+    await close(it);
+  });
+  it('marks a hole while it is there, and no longer', async () => {
+    const it = await opened(), { page } = it;
+    await dropFiles(page, { 'plate.wkt': 'POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 3 2, 3 1, 1 1))', 'peg.wkt': 'POLYGON ((0 0, 1 0, 1 0.5, 0 0.5, 0 0))' });
+    await choose(page, 'What is computed', 'P ⊕ −Q');
+    await choose(page, 'Which moves', 'Q');
+    await settled(page);
+    await page.getByRole('button', { name: 'Find all' }).click();
+    const hole = page.locator('.lifetimes [role=option][aria-label^="hole"]');
+    await expect.poll(() => hole.count(), { timeout: 60_000 }).toBe(1);
+    expect(await hole.getAttribute('aria-label')).toBe('hole, up to 2');
+    await hole.click();
+    await page.mouse.move(5, 5);
+    await expect.poll(() => pixelsOf(page, '--mark')).toBeGreaterThan(0);
+    await set(page, 'Exactly', '5/2');
+    await settled(page);
+    await expect.poll(() => pixelsOf(page, '--mark')).toBe(0);
+    await set(page, 'Exactly', '3/2');
+    await settled(page);
+    await expect.poll(() => pixelsOf(page, '--mark')).toBeGreaterThan(0);
     await close(it);
   });
   it('turns exactly: half a turn of a square is the square', async () => {

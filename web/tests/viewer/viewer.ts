@@ -97,6 +97,19 @@ export function commandHash(page: string, verb: string, inputs: Record<string, s
   return `#data=${deflateRawSync(JSON.stringify(data)).toString('base64url')}`;
 }
 
+/** How many pixels of the plane's picture have the colour of this name. */
+export async function pixelsOf(page: Page, name: string): Promise<number> {
+  return await page.evaluate((colour) => {
+    const canvas = document.querySelector<HTMLCanvasElement>('canvas.plane')!, probe = document.createElement('canvas').getContext('2d')!;
+    probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(colour);
+    probe.fillRect(0, 0, 1, 1);
+    const [r, g, b] = probe.getImageData(0, 0, 1, 1).data, { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+    let count = 0;
+    for (let k = 0; k < data.length; k += 4) count += Number(data[k] === r && data[k + 1] === g && data[k + 2] === b);
+    return count;
+  }, name);
+}
+
 /** Types into a field, and leaves it by Enter. */
 export async function set(page: Page, label: string, value: string): Promise<void> {
   await page.getByLabel(label, { exact: true }).fill(value);

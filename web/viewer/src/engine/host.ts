@@ -19,12 +19,17 @@ export class Host {
 
   /** The object of this key, made if it is not there. It lives at least until the request is answered. */
   keep<T extends Disposable>(key: string, make: () => T): T {
-    const there = this.kept.get(key);
-    const value = (there as T | undefined) ?? make();
+    const value = (this.kept.get(key) as T | undefined) ?? make();
     this.kept.delete(key); // the last in the map is the last that was used
     this.kept.set(key, value);
     this.inUse.add(key);
     return value;
+  }
+
+  /** The object of this key if it is there; it lives as long. */
+  ifKept<T extends Disposable>(key: string): T | undefined {
+    const value = this.kept.get(key) as T | undefined;
+    return value && this.keep(key, () => value);
   }
 
   /** Disposes of what has not been used for longest. */

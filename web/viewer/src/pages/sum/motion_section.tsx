@@ -5,10 +5,13 @@ import { Choice, NumberField, Section, Slider, type Option } from '../../shell/c
 import type { Change, Shell } from '../../shell/page';
 import { checkAngle, radiansOf } from '../angle';
 import { firstFactor, isUniform } from '../scale';
-import { isStill, type SumArgs } from './service';
+import { Lifetimes } from './lifetimes';
+import { wordingOf } from './result_section';
+import { isStill } from './service';
 import { checkSumScale, type SumState } from './state';
 import { scaleRange, scaleStep, withScale } from './tools';
-import { useEvents, type Events } from './use_events';
+import type { Events } from './use_events';
+import type { Living } from './use_living';
 
 const kMovers = [['p', 'P', 'P is scaled or turned, about the origin of its coordinates.'], ['q', 'Q', 'Q is scaled or turned, about the origin of its coordinates.']] as const;
 const kMotions: readonly Option<SumState['motion']>[] = [['scale', 'Scale', 'It is scaled by an exact number.'], ['turn', 'Turn', 'It is turned by an exact angle.']];
@@ -17,11 +20,12 @@ interface MotionProps {
   state: SumState;
   change: Change<SumState>;
   shell: Shell;
-  args: SumArgs;
+  events: Events;
+  living: Living;
 }
 
-function EventButtons({ state, change, shell, events }: MotionProps & { events: Events }) {
-  const at = firstFactor(state.scale), before = events.ticks?.filter((t) => t.at < at && t.label !== state.scale).at(-1);
+function EventButtons({ state, change, shell, events }: MotionProps) {
+  const at = firstFactor(state.scale), ticks = events.found?.ticks, before = ticks?.filter((t) => t.at < at && t.label !== state.scale).at(-1);
   const next = async (): Promise<void> => {
     const event = await events.next();
     if (event) change({ ...state, scale: event.s });
@@ -33,8 +37,8 @@ function EventButtons({ state, change, shell, events }: MotionProps & { events: 
         ‹ Event
       </button>
       <button onClick={() => void next().catch(shell.report)}>Next event ›</button>
-      <button onClick={events.find} disabled={events.ticks !== undefined}>
-        {events.ticks ? `${events.ticks.length} ${events.ticks.length === 1 ? 'event' : 'events'}` : 'Find all'}
+      <button onClick={events.find} disabled={ticks !== undefined} title="Finds all scales of the slider at which the sum changes, and from where to where its holes, edges and vertices are there.">
+        {ticks ? `${ticks.length} ${ticks.length === 1 ? 'event' : 'events'}` : 'Find all'}
       </button>
     </div>
   );
@@ -42,15 +46,16 @@ function EventButtons({ state, change, shell, events }: MotionProps & { events: 
 
 function ScaleControls(props: MotionProps) {
   const { state, change } = props, name = state.moving.toUpperCase(), at = firstFactor(state.scale), [min, max] = scaleRange(state);
-  const events = useEvents(props.shell, state, props.args), hasEvents = state.shown !== 'fit' && isUniform(state.scale);
+  const { events, living } = props, { found } = events, hasEvents = state.shown !== 'fit' && isUniform(state.scale);
   const to = (value: number, how: 'live' | 'done'): void => change(withScale(state, value), how);
   return (
     <>
       <Slider
         label={`Scale of ${name}`} value={at} min={min} max={max} step={scaleStep(state)} text={at.toFixed(3)}
-        ticks={hasEvents ? (events.ticks ?? []) : []} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays
+        ticks={hasEvents ? (found?.ticks ?? []) : []} onInput={(v) => to(v, 'live')} onDone={(v) => to(v, 'done')} plays
       />
-      {hasEvents && <EventButtons {...props} events={events} />}
+      {hasEvents && found && <Lifetimes lives={found.lives} living={living} wording={wordingOf(state)} scale={at} min={min} max={max} />}
+      {hasEvents && <EventButtons {...props} />}
       <NumberField label="Exactly" value={state.scale} check={checkSumScale} onCommit={(scale) => change({ ...state, scale })} />
     </>
   );

@@ -8,6 +8,7 @@ import type { Nearest } from '../../view2d/edge_grid';
 import type { Painter } from '../../view2d/painter';
 import type { SumPicture } from '../../view2d/sum_shape';
 import { paintMove } from '../move_arrow';
+import type { Alive } from './living';
 import { features } from './provenance';
 import type { Layer, SumState } from './state';
 
@@ -22,6 +23,8 @@ export interface SumScene {
   trace: PlanarTrace | undefined;
   /** of the sum, pointed at or picked */
   marked: readonly Nearest[];
+  /** what a bar of the lifetimes stands for */
+  alive: Alive;
   /** the shortest move of Q that makes it touch P */
   way: { from: Point; by: Point } | undefined;
   /** the part that is looked at */
@@ -91,6 +94,16 @@ function paintMarked(painter: Painter, scene: SumScene, place: Nearest): void {
   if (scene.layers.includes('q')) paintFeatures(painter, q, scene.byQ, from.edgesQ, from.verticesQ);
 }
 
+function paintAlive(painter: Painter, { sum, alive: { vertices, edges, ring }, bySum }: SumScene): void {
+  if (!sum) return;
+  const mark = colour('--mark'), ends = edges.flatMap(([from, to]) => [sum.vertex(from), sum.vertex(to)].flatMap(({ x, y }) => [x, y]));
+  painter.segments(ends, { colour: mark, width: 4 }, bySum);
+  for (const k of vertices) painter.dot(applied(bySum, sum.vertex(k)), 5, mark, colour('--ground'));
+  if (ring === undefined) return;
+  painter.trace({ vertices: sum.rings.vertices, starts: sum.rings.starts.subarray(ring, ring + 2) }, bySum);
+  painter.line({ colour: mark, width: 4 });
+}
+
 function paintLook(painter: Painter, [x0, y0, x1, y1]: NonNullable<SumState['look']>): void {
   painter.trace({ vertices: Float64Array.of(x0, y0, x1, y0, x1, y1, x0, y1), starts: Uint32Array.of(0, 4) });
   painter.line({ colour: colour('--mark'), width: 1.5, dash: [6, 4] });
@@ -105,6 +118,7 @@ export function paintSum(painter: Painter, scene: SumScene): void {
   if (sum && layers.includes('tight')) sum.paintTight(painter, bySum);
   if (scene.look) paintLook(painter, scene.look);
   if (scene.way) paintMove(painter, scene.way.from, scene.way.by);
+  paintAlive(painter, scene);
   for (const place of scene.marked) paintMarked(painter, scene, place);
   if (scene.pulled) painter.dot(scene.pulled, 5.5, colour('--mark'), colour('--ground'));
   for (const place of scene.wrong) painter.wrong(place, colour('--error'));

@@ -8,9 +8,13 @@ import { using } from '../../operands/using';
 import { scalesExactly } from '../../operands/exact_scaling';
 import { angleOf, radiansOf } from '../angle';
 import { factorsOf } from '../scale';
+import { familyOf, familyServices, firstText, isAfter } from './families';
 import type { SumState, Which } from './state';
 
 export interface SumArgs extends Pick<SumState, 'p' | 'q' | 'shown' | 'semantics' | 'moving' | 'motion' | 'scale' | 'tanHalf'> {
+  /** the scales that the slider covers, as texts */
+  low: string;
+  high: string;
   /** a vertex that is somewhere else for now */
   pull?: { which: Which; vertex: number; x: number; y: number } | undefined;
 }
@@ -64,8 +68,10 @@ function keyOfFrame(a: SumArgs): string {
   return `${a.shown} ${a.semantics} ${isStill(a) ? 'still' : `${a.motion} ${a.moving}`} ${keyOf(a.p)} + ${keyOf(a.q)}`;
 }
 
-/** What has the shape of the sum now. `visit` must not keep it. */
+/** What has the shape of the sum now: of a family where there is one. `visit` must not keep it. */
 function withFrame<T>(host: Host, a: SumArgs, visit: (frame: Frame) => T): T {
+  const family = familyOf(host, a);
+  if (family) return using(family.at(firstText(a.scale)), visit);
   if (!a.pull && (a.shown !== 'fit' || isStill(a)))
     return visit(moved(host.keep(keyOfFrame(a), () => frameOf(host, a, host.region(a.p), host.region(a.q), 'automatic')), a));
   // Of regions that exist for one frame only nothing is kept.
@@ -121,8 +127,13 @@ function file(host: Host, a: SumArgs, format: SumFormat): string {
   });
 }
 
-function scaling(host: Host, a: SumArgs): ScalingSum {
-  return withFrame(host, { ...a, motion: 'scale', ...(isStill(a) ? { scale: '2' } : {}) }, (frame) => frame as ScalingSum);
+/** The next visible event after a scale, of the family where there is one. */
+function nextEvent(host: Host, a: SumArgs, after: string): Event | null {
+  const family = familyOf(host, { ...a, motion: 'scale', scale: after });
+  if (family) return family.changes(after, a.high).find(({ s }) => isAfter(s, after)) ?? null;
+  const moving: SumArgs = { ...a, motion: 'scale', pull: undefined, scale: '2' }; // not 1, which stands still
+  const frame = host.keep(keyOfFrame(moving), () => frameOf(host, moving, host.region(a.p), host.region(a.q), 'automatic'));
+  return (frame as ScalingSum).nextEvent(after, a.high, 'visible', host.progress);
 }
 
 export const sumServices = {
@@ -140,7 +151,6 @@ export const sumServices = {
   /** The text of an operand with a vertex moved. */
   pulledText: (host: Host, { shape, vertex, x, y }: { shape: Shape; vertex: number; x: number; y: number }): string =>
     using(host.region(shape).withVertex(vertex, x, y), (pulled) => pulled.format('wkt')),
-  scaleEvents: (host: Host, { from, to, ...a }: SumArgs & { from: string; to: string }): Event[] => scaling(host, a).events(from, to, host.progress),
-  nextScaleEvent: (host: Host, { after, limit, ...a }: SumArgs & { after: string; limit: string }): Event | null =>
-    scaling(host, a).nextEvent(after, limit, 'visible', host.progress),
+  nextScaleEvent: (host: Host, { after, ...a }: SumArgs & { after: string }): Event | null => nextEvent(host, a, after),
+  ...familyServices,
 };

@@ -10,6 +10,7 @@ import { useSettled } from '../../shell/use_settled';
 import { SumPicture } from '../../view2d/sum_shape';
 import { isStill, type SumArea, type SumArgs } from './service';
 import type { SumState } from './state';
+import { scaleRange } from './tools';
 
 export type Pull = NonNullable<SumArgs['pull']>;
 
@@ -44,9 +45,10 @@ function placeOfQ({ atP, atQ }: SumState): { x: number; y: number } | undefined 
 export function useSum(shell: Shell, state: SumState, pull: Pull | undefined): SumData {
   const { engine } = shell, { shown, semantics, moving, motion, scale, tanHalf } = state;
   const p = useOperand(shell, state.p), q = useOperand(shell, state.q);
+  const [low, high] = scaleRange(state).map(String) as [string, string];
   const args = useMemo<SumArgs>(
-    () => ({ p: state.p, q: state.q, shown, semantics, moving, motion, scale, tanHalf, pull }),
-    [state.p, state.q, shown, semantics, moving, motion, scale, tanHalf, pull],
+    () => ({ p: state.p, q: state.q, shown, semantics, moving, motion, scale, tanHalf, low, high, pull }),
+    [state.p, state.q, shown, semantics, moving, motion, scale, tanHalf, low, high, pull],
   );
   const ready = p.ready && q.ready;
   const frame = useAnswer(engine, 'sumFrame', ready ? args : undefined);

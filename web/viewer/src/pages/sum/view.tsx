@@ -21,6 +21,9 @@ import { DepthSection, kSetNames, PickedSection, ResultSection, wordingOf } from
 import type { SumArgs, SumFormat } from './service';
 import { isPair, kShown, withShown, type Shown, type SumPageState, type SumState } from './state';
 import { draggedState, toolsOf, type Tool } from './tools';
+import { lifeText, type Alive } from './living';
+import { useEvents } from './use_events';
+import { useLiving } from './use_living';
 import { usePointing, type Pointing } from './use_pointing';
 import { useSum, type Pull, type SumData } from './use_sum';
 
@@ -55,7 +58,7 @@ function wrongPlaces(data: SumData, byP: Affine, byQ: Affine): Point[] {
 }
 
 /** Operands are drawn as they were when the sum that is shown was computed. */
-function sceneOf(state: SumState, data: SumData, pull: Pull | undefined, { chosen, hovered }: Pointing): SumScene {
+function sceneOf(state: SumState, data: SumData, pull: Pull | undefined, { chosen, hovered }: Pointing, alive: Alive): SumScene {
   const { moving, motion, scale, tanHalf } = data.of ?? state, shown = { ...state, moving, motion, scale, tanHalf };
   const byP = placing(shown, 'p'), byQ = placing(shown, 'q'), p = data.p.outline, q = data.q.outline, [way] = data.depth?.ways ?? [];
   return {
@@ -64,7 +67,7 @@ function sceneOf(state: SumState, data: SumData, pull: Pull | undefined, { chose
     q: pull?.which === 'q' ? q?.withVertex(pull.vertex, pull) : q,
     sum: data.p.error ?? data.q.error ? undefined : data.sum,
     way: way && { from: { x: state.atQ[0], y: state.atQ[1] }, by: way.approx },
-    marked: [chosen, hovered].filter((place) => place !== undefined),
+    marked: [chosen, hovered].filter((place) => place !== undefined), alive,
     pulled: pull && applied(pull.which === 'p' ? byP : byQ, pull),
     wrong: wrongPlaces(data, byP, byQ),
   };
@@ -108,9 +111,9 @@ function PairView({ state, change, shell }: PageProps<SumState> & { change: Page
   const [tool, setTool] = useState<Tool>('move');
   const [pull, setPull] = useState<Pull | undefined>();
   const data = useSum(shell, state, pull), { sum } = data;
-  const pointing = usePointing(shell, state, data.args, sum);
+  const pointing = usePointing(shell, state, data.args, sum), events = useEvents(shell, data.args), living = useLiving(shell, data, events.found?.lives);
   useDownloads(shell, data.args, sum !== undefined && !data.p.error && !data.q.error);
-  const scene = sceneOf(state, data, pull, pointing), tools = toolsOf(state);
+  const scene = sceneOf(state, data, pull, pointing, living.alive), wording = wordingOf(state), tools = toolsOf(state);
   const nearest = (at: Point, reach: number) => sum?.nearest(inverted(scene.bySum, at), reach);
   const context = { shell, state, change, outlines: { p: data.p.outline, q: data.q.outline }, tool: tools.some(([t]) => t === tool) ? tool : 'move', setPull };
   return (
@@ -124,7 +127,7 @@ function PairView({ state, change, shell }: PageProps<SumState> & { change: Page
           grip={(at, reach) => gripOf(context, at, reach)} hover={(at, reach) => pointing.hover(at && nearest(at, reach))}
           click={(at, reach) => pointing.pick(nearest(at, reach))} shows={scene.sum} stale={data.standing.waiting} paint={(painter) => paintSum(painter, scene)}
         />
-        <div class="status">{pointing.hovered && sum ? originText(sum.shape, pointing.hovered, wordingOf(state)) : ''}</div>
+        <div class="status">{pointing.hovered && sum ? originText(sum.shape, pointing.hovered, wording) : living.hovered ? lifeText(living.hovered, wording) : ''}</div>
       </Stage>
       <Panel summary={kSummaries[state.shown]}>
         <Section title="Shapes">
@@ -136,7 +139,7 @@ function PairView({ state, change, shell }: PageProps<SumState> & { change: Page
         </Section>
         <SetSection state={state} change={change} />
         <ResultSection data={data} shell={shell} />
-        <MotionSection state={state} change={change} shell={shell} args={data.args} />
+        <MotionSection state={state} change={change} shell={shell} events={events} living={living} />
         <DepthSection depth={data.depth} shell={shell} />
         <PickedSection picked={pointing.picked} shell={shell} />
         <LayersSection state={state} change={change} />

@@ -1,5 +1,5 @@
-// ScalingFamily: all sums of an interval of scales.
-#include "dymsum/scaling_family.h"
+// ScalingFamily: all sums of an interval of scales. What holds for some scales and for all is in further/.
+#include "scaling_family.h"
 
 #include "arrays.h"
 #include "options.h"
@@ -25,11 +25,9 @@ val events_of(const ScalingFamily& family) { return list_of(family.events(), eve
 val changes_in(const ScalingFamily& family, const val& from, const val& to, const val& change) {
   return list_of(family.changes(scale_in(from), scale_in(to), enumerator(change, EventChange::visible)), event_data);
 }
-std::shared_ptr<PlanarSum> outer_set(const ScalingFamily& family, const val& from, const val& to) {
-  return shared(got(family.outer(scale_in(from), scale_in(to))));
-}
-std::shared_ptr<PlanarSum> inner_set(const ScalingFamily& family, const val& from, const val& to) {
-  return shared(got(family.inner(scale_in(from), scale_in(to))));
+val ring_ids_at(const ScalingFamily& family, const val& s) {
+  const std::vector<std::uint64_t> ids = got(family.ring_ids(scale_in(s)));
+  return array_of(std::vector<double>(ids.begin(), ids.end()));
 }
 
 val lifetime_data(const Lifetime& life) {
@@ -48,15 +46,23 @@ val lifetime_data(const Lifetime& life) {
 }
 val lifetimes_of(const ScalingFamily& family) { return list_of(got(family.lifetimes()), lifetime_data); }
 
+}  // namespace
+
+emscripten::class_<ScalingFamily>& scaling_family_handle() {
+  static emscripten::class_<ScalingFamily> bound = handle<ScalingFamily>("ScalingFamily");
+  return bound;
+}
+
+namespace {
+
 EMSCRIPTEN_BINDINGS(scaling_family) {
-  handle<ScalingFamily>("ScalingFamily")
+  scaling_family_handle()
       .class_function("create", guarded<&created>)
       .function("at", guarded<&sum_at>)
       .function("events", guarded<&events_of>)
       .function("changes", guarded<&changes_in>)
       .function("lifetimes", guarded<&lifetimes_of>)
-      .function("outer", guarded<&outer_set>)
-      .function("inner", guarded<&inner_set>);
+      .function("ringIds", guarded<&ring_ids_at>);
 }
 
 }  // namespace
