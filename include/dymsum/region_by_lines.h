@@ -50,8 +50,8 @@ struct RegionByLines {
 /// Cost: O(n log n) for n vertices, besides filled.
 Result<RegionByLines> by_lines(const RegionData& data, const LinesOptions& options = {});
 
-/// The same of several regions, in their order: what is parallel in two of them is so exactly, and rings share axes
-/// where none of them loses by that. The order does not matter.
+/// The same of several regions, in their order: what is parallel in two of them is so exactly, and rings have axes in
+/// common where none of them loses by that. The order does not matter.
 Result<std::vector<RegionByLines>> by_lines(std::span<const RegionData> regions, const LinesOptions& options = {});
 
 }  // namespace dymsum

@@ -48,7 +48,7 @@ class LinePlacement {
       : sets_(sets), chains_(chains), found_(found), groups_(groups), result_(sets.size()) {}
 
   std::vector<PlacedOnLines> run() {
-    place_along_axes();
+    put_along_axes();
     sort_edges();
     find_directions();
     for (const auto& [family, by_group] : edges_)
@@ -60,7 +60,7 @@ class LinePlacement {
  private:
   static constexpr std::uint32_t kNone = LineFamilies::kNone;
 
-  void place_along_axes() {
+  void put_along_axes() {
     for (std::size_t s = 0; s < sets_.size(); ++s)
       for (const Point& p : sets_[s].at) result_[s].at.push_back(exact_point(p));
     group_of_.resize(chains_.size());

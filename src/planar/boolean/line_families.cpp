@@ -27,9 +27,9 @@ class DirectionIndex {
   template <class Visit>
   void near(Point direction, double angle, Visit visit) const {
     const double key = key_of(direction), within = 1.01 * angle;  // of an angle below 1/32 by its sine
-    for (const double turn : {-2.0, 0.0, 2.0}) {
-      const auto last = by_key_.upper_bound(key + turn + within);
-      for (auto it = by_key_.lower_bound(key + turn - within); it != last; ++it) visit(it->second);
+    for (const double around : {-2.0, 0.0, 2.0}) {
+      const auto last = by_key_.upper_bound(key + around + within);
+      for (auto it = by_key_.lower_bound(key + around - within); it != last; ++it) visit(it->second);
     }
   }
 
