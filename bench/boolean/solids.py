@@ -36,7 +36,7 @@ def pairs(large):
 
 def triangles_of(manifold):
     mesh = manifold.to_mesh64()
-    return numpy.asarray(mesh.vert_properties)[:, :3], numpy.asarray(mesh.tri_verts)
+    return numpy.array(mesh.vert_properties[:, :3], order="C"), numpy.array(mesh.tri_verts)
 
 
 def write(path, points, triangles):

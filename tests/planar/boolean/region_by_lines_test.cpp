@@ -254,6 +254,16 @@ TEST(ByLines, a_turned_part_fits_a_turned_slot_exactly) {
       EXPECT_TRUE(fit.parts.empty() && fit.segments.empty());
     }
   }
+  // Lengths that are no multiples of anything fit where both are rounded to one unit, whatever the sizes of the
+  // regions; noise may take one of them to the next multiple.
+  const Ring plate{{0, 0}, {std::sqrt(2.0), 0}, {std::sqrt(2.0), 1 / std::sqrt(3.0)}, {0, 1 / std::sqrt(3.0)}};
+  std::size_t fitting = 0;
+  const int rounds = oracles::rounds(20);
+  for (int k = 0; k < rounds; ++k) {
+    const double by = angle(random);
+    fitting += fits_as(slotted(plate, by, {0.7, -1.3}), turned_by(polygon(plate), by, {3, 1})).points.size();
+  }
+  EXPECT_GE(10 * fitting, 8u * static_cast<std::size_t>(rounds));
   // A square fits its slot also a quarter turned.
   const Ring square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   for (int k = 0; k < oracles::rounds(20); ++k) {
