@@ -234,7 +234,7 @@ test('a turned box by its planes has six, and is the solid that the command line
 
 test('a turned region by its lines has right angles and fits its slot', async () => {
   const [c, s] = [Math.cos(0.4), Math.sin(0.4)], turn = (ring) => ring.map(([x, y]) => [c * x - s * y, s * x + c * y]);
-  const ell = dymsum.Region.create({ parts: [{ outer: turn([[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2]]) }] });
+  const ell = dymsum.Region.fromRings([turn([[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2]])]);
   const made = dymsum.byLines(ell), sum = (region) => dymsum.minkowskiSum(region, region);
   assert.deepEqual([made.axes.length, made.looseEdges], [1, 0]);
   assert.equal(sum(made.region).shape().vertices.length / 2, 6);
