@@ -5,6 +5,7 @@
 #include "dymsum/snap_rounding.h"
 #include "dymsum/sum_io.h"
 #include "numbers.h"
+#include "planar/line_operands.h"
 #include "planar/open_ends.h"
 #include "repairs.h"
 #include "snapped_operand.h"
@@ -265,6 +266,10 @@ Input read_input(const std::string& file, const InputOptions& options) {
                               ": sums, fits and Boolean operations take an exact result, and so do contains, info and "
                               "convert; others take it in doubles, as dymsum convert FILE.json FILE.wkt writes it");
   refuse_options_of_solids(options);
+  if (!options.lines.empty())
+    throw Stop(kUsage,
+               "--lines makes exact results, which only sums, fits, Boolean operations, contains, info and "
+               "convert take");
   if (file != "-" && !is_footprint(file)) {
     const auto read = [&](const ReadOptions& how) { return read_shape(file, how); };
     return require(make_input(read_planar(options, read), file, options));
@@ -278,6 +283,7 @@ Input read_input(const std::string& file, const InputOptions& options) {
 }
 
 Input read_operand(const std::string& file, const InputOptions& options) {
+  if (!options.lines.empty()) return std::move(read_by_lines({file}, options)[0]);
   if (!holds_result(file, options)) return read_input(file, options);
   if (!options.snap.empty())
     throw Stop(kUsage, "--snap is for coordinates in doubles, and " + shown_file(file) +
@@ -301,6 +307,7 @@ std::vector<Input> read_inputs(const std::vector<std::string>& files, const Inpu
 
 std::vector<Input> read_operands(const std::vector<std::string>& files, const InputOptions& options) {
   refuse_unused_format(files, options);
+  if (!options.lines.empty()) return read_by_lines(files, options);
   std::vector<Input> inputs;
   for (const std::string& file : files) inputs.push_back(read_operand(file, options));
   return inputs;

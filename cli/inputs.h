@@ -28,6 +28,7 @@ struct InputOptions {
   std::string join;                      ///< planar: ends of lines within this are joined
   std::string snap;                      ///< the grid that coordinates are rounded to
   std::string planes;                    ///< solids by their planes: within this, "auto" without a number; empty: not
+  std::string lines;                     ///< regions by their lines: likewise
   bool quiet = false;                    ///< repairs are not printed: they were before
   std::string from;                      ///< the format of standard input; empty: told from its first characters
   bool repair() const { return !repairs.empty(); }

@@ -199,6 +199,17 @@ void add_input_options(CLI::App& verb, InputOptions& options) {
   add_from_option(verb, options, OperandKind::planar);
 }
 
+namespace {
+
+/// Of an option that may be given without a number.
+void takes_tolerance(CLI::Option* option) {
+  takes(option, "a positive number", [](const std::string& text) {
+    return text == "auto" || text == "false" || finite_number(text).value_or(-1) > 0;
+  });
+}
+
+}  // namespace
+
 void add_solid_input_options(CLI::App& verb, InputOptions& options, OperandKind kind, Hulls hulls) {
   add_repair_option(verb, options, kind);
   const std::string of = kind == OperandKind::either ? "Solids: take" : "Take",
@@ -209,15 +220,19 @@ void add_solid_input_options(CLI::App& verb, InputOptions& options, OperandKind 
                     "standard error how far the surface was from it" +
                     results)
       ->excludes("--repair");
-  takes(verb.add_flag("--planes{auto}", options.planes,
-                      of + " the faces of each operand as they were meant: plane, and parallel, where they are so to "
-                           "within --planes=TOLERANCE or rounding, and say how far vertices moved")
-            ->excludes("--repair")
-            ->excludes("--hull"),
-        "a positive number", [](const std::string& text) {
-          return text == "auto" || text == "false" || finite_number(text).value_or(-1) > 0;
-        });
+  takes_tolerance(verb.add_flag("--planes{auto}", options.planes,
+                                of + " the faces of each operand as they were meant: plane, and parallel, where they "
+                                     "are so to within --planes=TOLERANCE or rounding, and say how far vertices moved")
+                      ->excludes("--repair")
+                      ->excludes("--hull"));
   add_from_option(verb, options, kind);
+}
+
+void add_lines_option(CLI::App& verb, InputOptions& options) {
+  takes_tolerance(verb.add_flag("--lines{auto}", options.lines,
+                                "Regions: take the edges of each operand as they were meant: on common lines, parallel "
+                                "and at right angles, where they are so to within --lines=TOLERANCE or rounding, and "
+                                "say how far vertices moved"));
 }
 
 void add_thin_option(CLI::App& verb, InputOptions& options) {

@@ -63,6 +63,8 @@ enum class Hulls { of_operands, of_results_too };
 void add_solid_input_options(CLI::App& verb, InputOptions& options, OperandKind kind = OperandKind::either,
                              Hulls hulls = Hulls::of_operands);
 void add_thin_option(CLI::App& verb, InputOptions& options);
+/// Declares --lines, for verbs that take exact results.
+void add_lines_option(CLI::App& verb, InputOptions& options);
 
 /// --angle or --degrees, as they were written.
 struct AngleOptions {

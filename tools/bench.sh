@@ -69,7 +69,13 @@ do_bench() {
   fi
   if [[ $suite == boolean ]]; then
     build "$release" dymsum_cli
-    bench_python shapely pyclipr numpy
+    bench_python shapely pyclipr numpy manifold3d
+    local rival=build/cgal_boolean
+    if need libcgal-dev && g++ -O3 -DNDEBUG -std=c++17 bench/versus/cgal_boolean.cpp -o "$rival" -lmpfr -lgmp; then
+      export CGAL_BOOLEAN=$PWD/$rival
+    else
+      say "without CGAL"
+    fi
     DYMSUM=$PWD/$release/dymsum "${DYMSUM_PYTHON:?}" bench/boolean/boolean.py "$@"
     return
   fi

@@ -2,8 +2,9 @@
 
 `./run bench boolean [--runs N] [--large] [--results FOLDER]`. Times are of the operation alone, in process, the least of the runs: what
 `dymsum union --repeat N --json` reports, and what a call of the other two takes, with their results as they give them. Clipper2 rounds
-its input to multiples of 1e-9; dymsum's result is exact, and areas of all three are compared. The environment's DYMSUM is the command
-line to ask.
+its input to multiples of 1e-9; dymsum's result is exact, and areas of all three are compared. Solids are beside Manifold, which computes in
+doubles, and CGAL's corefinement with exact constructions, where that is installed; volumes are compared. The environment's DYMSUM is the
+command line to ask. `--solids` runs these alone.
 """
 
 import argparse
@@ -20,6 +21,8 @@ import time
 
 import pyclipr
 import shapely
+
+import solids
 
 DYMSUM = os.path.abspath(os.environ.get("DYMSUM", "dymsum"))
 SCALE = 10**9
@@ -112,6 +115,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--large", action="store_true", help="coasts of 100,000 vertices, too")
+    parser.add_argument("--solids", action="store_true", help="solids alone")
     parser.add_argument("--results", type=pathlib.Path, help="writes boolean.md there")
     options = parser.parse_args()
     lines = ["| pair | operation | coordinates | dymsum ms | Clipper2 ms | GEOS ms | Clipper2 / dymsum | GEOS / dymsum |",
@@ -119,7 +123,7 @@ def main():
     ratios = {"Clipper2": [], "GEOS": []}
     apart = 0
     with tempfile.TemporaryDirectory() as name:
-        for title, first, second in pairs(options.large):
+        for title, first, second in pairs(options.large) if not options.solids else ():
             for kind in ("grid", "decimals", "single", "noise", "turned", "turned_far"):
                 a, b = (without_repeated([of_kind(kind, *v) for v in ring]) for ring in (first, second))
                 for verb in OPERATIONS:
@@ -133,6 +137,11 @@ def main():
                     lines.append(f"| {title} | {verb} | {kind} | {mine:.3f} | {clipper:.3f} | {geos:.3f} | {clipper / mine:.2f} "
                                  f"| {geos / mine:.2f} |")
                     print(lines[-1], flush=True)
+        solid_lines, solid_summary, solids_apart = solids.table(DYMSUM, pathlib.Path(name), options.runs, options.large)
+    print("\n".join(solid_summary))
+    if options.solids:
+        return 1 if solids_apart else 0
+    apart += solids_apart
     summary = [f"{who} / dymsum: geometric mean {statistics.geometric_mean(r):.2f}, median {statistics.median(r):.2f}, worst "
                f"{min(r):.2f}, best {max(r):.1f}, of {len(r)}" for who, r in ratios.items()]
     summary.append(f"areas that differ by more than 1e-6 of themselves: {apart}")
@@ -140,6 +149,7 @@ def main():
     if options.results:
         text = "# Boolean operations of two regions\n\n" + __doc__.split("\n\n", 1)[1].strip() + "\n\n"
         text += "\n\n".join(summary) + "\n\n" + "\n".join(lines) + "\n"
+        text += "\n## Solids\n\n" + "\n\n".join(solid_summary) + "\n\n" + "\n".join(solid_lines) + "\n"
         (options.results / "boolean.md").write_text(text)
     return 1 if apart else 0
 

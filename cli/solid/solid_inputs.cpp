@@ -144,6 +144,7 @@ bool names_solid(const std::string& file, const InputOptions& options) {
 void refuse_planar_options(const InputOptions& options) {
   const std::pair<bool, const char*> given[] = {{options.drop_z, "--drop-z"},
                                                 {!options.join.empty(), "--join"},
+                                                {!options.lines.empty(), "--lines"},
                                                 {!options.curve_error.empty(), "--curve-error"},
                                                 {!options.curve_bound.empty(), "--curve-bound"}};
   for (const auto& [is_given, name] : given)

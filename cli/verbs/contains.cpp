@@ -209,6 +209,7 @@ void add_contains(CLI::App& app, Action& action) {
          std::span(names_of<Semantics>()).first<2>());
   add_report_options(verb, command->report, "Ask N times and report the median and minimum time");
   add_solid_input_options(verb, command->input);
+  add_lines_option(verb, command->input);
   add_thin_option(verb, command->input);
   verb.footer(
       "Exit code 4 when the answer to a single question is no.\nExample: dymsum contains bar.wkt rooms.wkt --at "

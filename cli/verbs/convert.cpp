@@ -88,6 +88,7 @@ void add_convert(CLI::App& app, Action& action) {
                  "Solids: split faces into triangles, for programs that take no others");
   verb->add_flag("--json", command->json, "Print one JSON object that says what was converted");
   add_solid_input_options(*verb, command->input);
+  add_lines_option(*verb, command->input);
   verb->footer(
       "Example: dymsum convert monkey.poly monkey.geojson --repair\n"
       "         dymsum convert plate.dxf plate.svg --curve-error 0.01 --join 0.001 --snap 2^-20\n"

@@ -97,7 +97,8 @@ Json file_json(const std::vector<Shape>& shapes, const Timing& timing) {
 }
 
 std::vector<Shape> read_and_validate(const InfoCommand& command) {
-  if (holds_result(command.file, command.input)) return {{"", read_operand(command.file, command.input)}};
+  if (holds_result(command.file, command.input) || !command.input.lines.empty())
+    return {{"", read_operand(command.file, command.input)}};
   std::vector<NamedShape> named = read_all(command.file, command.input);
   std::vector<Shape> shapes;
   for (NamedShape& shape : named) {
@@ -161,6 +162,7 @@ void add_info(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   verb->add_flag("--json", command->json, "Print one JSON object");
   add_solid_input_options(*verb, command->input);
+  add_lines_option(*verb, command->input);
   verb->footer("Example: dymsum info neuron.poly --json");
   verb->callback([command, verb, &action] {
     action = [command, verb] {

@@ -28,6 +28,7 @@ struct TableCommand {
   std::string instance, orientations, cache, shard;
   bool merge = false;
   std::size_t threads = 0;
+  double spacing = 0, margin = 0;
   double error = 1e-9, pair_time = std::numeric_limits<double>::infinity(), time = pair_time;
   std::vector<std::string> outputs;
   ReportOptions report;
@@ -187,6 +188,7 @@ ExitCode run_nfp_table(const TableCommand& command) {
   NestingInstance instance = require(parse_nesting_instance(file_text(command.instance), shown_file(command.instance)));
   TableInput input =
       table_input(shown_file(command.instance), std::move(instance), degrees, command.error, command.input);
+  input.spacing = command.spacing, input.margin = command.margin;
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   options.progress = bar->callback();
@@ -242,6 +244,15 @@ void add_nfp_table(CLI::App& app, Action& action) {
          0x1p-49)
       ->type_name("E")
       ->capture_default_str();
+  within(verb.add_option("--spacing", command->spacing,
+                         "The least distance of two items, in each other's holes too: never less, at most 1 % more"),
+         0)
+      ->type_name("D");
+  within(
+      verb.add_option("--margin", command->margin,
+                      "The least distance of an item from the outside and the holes of its bin, and from the strip's"),
+      0)
+      ->type_name("M");
   verb.add_option(
           "-o", command->outputs,
           "Write the table; repeatable; .jsonl rows, with their geometry unless there is a .wkb; .wkb geometry; "
@@ -254,7 +265,8 @@ void add_nfp_table(CLI::App& app, Action& action) {
   add_repair_option(verb, command->input, OperandKind::planar);
   verb.footer(
       "Exit code 5 when pairs were given up.\n"
-      "Example: dymsum nfp-table swim.json --repair --orientations 8 -o rows.jsonl -o rows.wkb -o manifest.json");
+      "Example: dymsum nfp-table swim.json --repair --orientations 8 -o rows.jsonl -o rows.wkb -o manifest.json\n"
+      "Example: dymsum nfp-table sheet.json --spacing 2.5 --margin 5 -o rows.jsonl");
   verb.callback([command, &action] { action = [command] { return run_nfp_table(*command); }; });
 }
 

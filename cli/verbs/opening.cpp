@@ -86,6 +86,7 @@ void add(CLI::App& app, Action& action, const TwoSteps& steps, const std::string
   add_operands(verb, {"A", "A region or solid"}, {"B", "The one of the same kind that it is worked with"},
                command->solid.operands);
   add_solid_options(verb, command->solid, OperandKind::either);
+  add_lines_option(verb, command->solid.input);
   verb.add_flag(
       "--round-between", command->round_between,
       "Solids: round vertices between the two operations that have no doubles for coordinates, and report how far "

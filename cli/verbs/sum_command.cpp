@@ -125,6 +125,7 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
   add_sum_options(parser, command, verb);
   add_solid_input_options(parser, command.input, OperandKind::either,
                           verb.is_sum ? Hulls::of_results_too : Hulls::of_operands);
+  if (!verb.planar_result) add_lines_option(parser, command.input);
   add_memory_option(parser, command.memory_mb, OperandKind::either);
   if (!verb.planar_result) add_round_option(parser, command.round, OperandKind::either);
   if (verb.is_sum) {

@@ -44,6 +44,7 @@
 #include "dymsum/rational.h"
 #include "dymsum/read_options.h"
 #include "dymsum/region.h"
+#include "dymsum/region_by_lines.h"
 #include "dymsum/region_io.h"
 #include "dymsum/result.h"
 #include "dymsum/rotating_sum.h"

@@ -82,13 +82,18 @@ struct LayoutReadOptions {
   bool repair = false;
 };
 
-/// The layouts of a file. JSON: what jagua-rs and sparrow write, an instance with its solution (docs/guide/nesting.md);
-/// one for a strip, one for each bin that is used. Rotations are degrees, at face value: multiples of 90 exactly,
-/// others by Orientation::nearest. Drawings, .dxf and .svg: every shape is a part that stands where it is drawn. DXF: a
-/// closed ring with the rings inside it, which are its holes. SVG: an element, or a group with elements of the class
-/// `hole`, as SVGnest writes them; a layout for each bin. Errors: cannot_open; malformed, also for lines in drawings
-/// that are not closed, and those of regions with the item's name.
+/// The layouts of a file. JSON: what jagua-rs and sparrow write, an instance with its solution, and what layout_to_json
+/// does (docs/guide/checking.md); one for a strip, one for each bin that is used. Rotations are degrees, at face value:
+/// multiples of 90 exactly, others by Orientation::nearest. Drawings, .dxf and .svg: every shape is a part that stands
+/// where it is drawn. DXF: a closed ring with the rings inside it, which are its holes. SVG: an element, or a group
+/// with elements of the class `hole`, as SVGnest writes them; a layout for each bin. Errors: cannot_open; malformed,
+/// also for lines in drawings that are not closed, and those of regions with the item's name.
 Result<std::vector<Layout>> read_layouts(const std::string& path, const LayoutReadOptions& options = {});
+/// A layout as JSON that read_layouts gives back exactly: an instance and its solution as jagua-rs and sparrow write
+/// them, with shapes by their indices, orientations by `tan_half` besides the degrees, and positions as numbers where
+/// these are doubles, else as fractions in texts; a container is the one bin. Notes are left out.
+std::string layout_to_json(const Layout& layout);
+
 enum class LayoutFormat : std::uint8_t { json, svg, dxf };
 Result<std::vector<Layout>> parse_layouts(std::string_view text, std::string_view name_for_errors,
                                           const LayoutReadOptions& options = {},

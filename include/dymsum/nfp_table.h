@@ -36,6 +36,8 @@ struct TableInput {
   std::vector<TableBin> bins;
   std::optional<double> strip_height;
   double angle_error = 1e-9;  ///< radians; quarter turns are exact. Smaller ones make larger numbers and slower rows
+  double spacing = 0;         ///< the least distance of two items, also in each other's holes
+  double margin = 0;  ///< the least distance of an item from the outside of its bin and its holes, or from the strip's
 };
 
 /// An angle that rows have: the decimal one in [0, 360), and the exact one that shapes are turned by.
@@ -45,6 +47,9 @@ struct TableAngle {
   double error = 0;  ///< proved: they differ by at most so many radians; 0 for quarter turns
 };
 
+/// With a spacing, no-fit polygons are those of the fixed item grown by a polygon of 32 sides around the disc of that
+/// radius, which no position within the spacing is outside of, and which reaches at most 1 % further; with a margin,
+/// inner fits are those of the moving item grown so. Both are exact sets, and margins in the strip exact distances.
 struct TableRow {
   enum class Kind : std::uint8_t {
     nfp,        ///< item `fixed` (+) -R(angle) item `moving`, in the frame of the fixed one, which is not turned
@@ -97,7 +102,8 @@ class NfpTable {
   /// every shape. `progress` is queried once in some thousands of angles and of rows: smaller tables are planned at
   /// once. Errors: unsupported_operand for an item or a bin that is empty, for an item without orientations or with
   /// more than 3600, for a bin with polylines or points; out_of_range for angle errors below 2^-49, strip heights that
-  /// are not positive and finite, and more than 2^32 - 2 rows; cancelled.
+  /// are not positive and finite, a spacing or margin that is neither 0 nor from 2^-900 to 2^400, and more than 2^32 -
+  /// 2 rows; cancelled.
   static Result<NfpTable> create(TableInput input, const Progress& progress = {});
 
   const TableInput& input() const;

@@ -36,15 +36,16 @@ void bind_table_input(nb::module_& m) {
   input.def(
       "__init__",
       [](TableInput* self, std::vector<TableItem> items, std::vector<TableBin> bins, std::optional<double> height,
-         double error) {
-        new (self) TableInput{std::move(items), std::move(bins), height, error};
-      },
+         double error, double spacing,
+         double margin) { new (self) TableInput{std::move(items), std::move(bins), height, error, spacing, margin}; },
       "items"_a = nb::list(), "bins"_a = nb::list(), "strip_height"_a = nb::none(),
-      "angle_error"_a = TableInput().angle_error);
+      "angle_error"_a = TableInput().angle_error, "spacing"_a = 0.0, "margin"_a = 0.0);
   input.field("items", &TableInput::items)
       .field("bins", &TableInput::bins)
       .field("strip_height", &TableInput::strip_height)
-      .field("angle_error", &TableInput::angle_error, "Radians; quarter turns are exact.");
+      .field("angle_error", &TableInput::angle_error, "Radians; quarter turns are exact.")
+      .field("spacing", &TableInput::spacing, "The least distance of two items.")
+      .field("margin", &TableInput::margin, "The least distance of an item from the outside of its bin or strip.");
 }
 
 void bind_table_rows(nb::module_& m) {

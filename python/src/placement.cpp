@@ -210,6 +210,14 @@ void bind_checks(nb::module_& m) {
       [](const PathArgument& path, const LayoutReadOptions& options) { return take(read_layouts(path.text, options)); },
       "path"_a, "options"_a = LayoutReadOptions(),
       "The layouts of a solution as jagua-rs and sparrow write it, or of a drawing: .dxf, .svg. Raises Error.");
+  m.def("layout_to_json", &layout_to_json, "layout"_a,
+        R"doc(A layout as JSON that read_layouts gives back exactly.
+
+>>> from dymsum import Layout, LayoutPart, layout_to_json, parse_layouts, shapes
+>>> layout = Layout([shapes.rectangle(0, 0, 2, 2)], [LayoutPart(0, ("1/3", 0))])
+>>> parse_layouts(layout_to_json(layout), "ours")[0].parts[0].at.x
+Fraction(1, 3)
+)doc");
   m.def(
       "parse_layouts",
       [](const std::string& text, const std::string& name, const LayoutReadOptions& options, LayoutFormat format) {

@@ -1,6 +1,8 @@
 // Boolean operations of regions and results.
 #include "dymsum/planar_boolean.h"
 
+#include "dymsum/region_by_lines.h"
+
 #include "bind.h"
 #include "calls.h"
 #include "planar_operand.h"
@@ -72,6 +74,53 @@ void bind_fill_report(nb::module_& m) {
       "unsupported_operand.");
 }
 
+void bind_by_lines(nb::module_& m) {
+  Record<RegionByLines>(m, "RegionByLines",
+                        "A region whose edges lie on the lines they were meant for, and how far that is.")
+      .field("region", &RegionByLines::region, "exact, an operand like every result")
+      .field("axes", &RegionByLines::axes, "of its rings, other than those of the coordinates")
+      .field("tolerance", &RegionByLines::tolerance)
+      .field("largest_move", &RegionByLines::largest_move, "no vertex is further from where it was; proved")
+      .field("merged", &RegionByLines::merged, "coordinates along an axis, and lines, that became one with another one")
+      .field("loose_edges", &RegionByLines::loose_edges, "parallel to others but for rounding, and left so")
+      .field("edges", &RegionByLines::edges, "of the data")
+      .def("to_string", &RegionByLines::to_string);
+  Record<LinesOptions> options(m, "LinesOptions", "Options of by_lines.");
+  options.def(
+      "__init__",
+      [](LinesOptions* self, std::optional<double> tolerance, const SumOptions& sums) {
+        new (self) LinesOptions{tolerance, sums};
+      },
+      "tolerance"_a = nb::none(), "sums"_a = SumOptions());
+  options.option("tolerance", &LinesOptions::tolerance, "the most that a vertex may move; None: by the coordinates")
+      .option("sums", &LinesOptions::sums, "of the union that makes the region");
+  m.def(
+      "by_lines",
+      [](const std::vector<RegionData>& regions, const LinesOptions& options) {
+        return run_with(options.sums, [&](const SumOptions& own) {
+          return by_lines(regions, {options.tolerance, own});
+        });
+      },
+      "regions"_a, "options"_a = LinesOptions(), "The same of several: what is parallel in two of them is so exactly.");
+  m.def(
+      "by_lines",
+      [](const RegionDataArgument& data, const LinesOptions& options) {
+        return run_with(options.sums, [&](const SumOptions& own) { return by_lines(*data, {options.tolerance, own}); });
+      },
+      "data"_a, "options"_a = LinesOptions(),
+      R"doc(The region whose edges lie on the lines that they were meant to lie on, exactly: parallel, at right angles, and on
+one line where those of the data are but for rounding. Raises Error: out_of_range for a tolerance that is too small;
+no_area where nothing is left; not_finite; too_few_vertices; repeated_vertex; cancelled; out_of_memory.
+
+>>> from math import cos, sin
+>>> from dymsum import by_lines, minkowski_sum
+>>> ell = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 2), (0, 2)]
+>>> part = by_lines([[(cos(1) * x - sin(1) * y, sin(1) * x + cos(1) * y) for x, y in ell]])
+>>> minkowski_sum(part.region, part.region).vertex_count(), part.largest_move < 1e-11
+(6, True)
+)doc");
+}
+
 }  // namespace
 
 void bind_planar_boolean(nb::module_& m) {
@@ -123,6 +172,7 @@ Fraction(15, 1)
 (Fraction(2, 1), Fraction(1, 1))
 )doc");
   bind_fill_report(m);
+  bind_by_lines(m);
 }
 
 }  // namespace dymsum::python

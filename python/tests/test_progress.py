@@ -139,6 +139,8 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ),
     ("by_planes", lambda f: dymsum.by_planes(ANGLE, dymsum.PlanesOptions(sums=solid(f)))),
     ("by_planes", lambda f: dymsum.by_planes([dymsum.MeshData(ANGLE.vertices, ANGLE.faces)], dymsum.PlanesOptions(sums=solid(f)))),
+    ("by_lines", lambda f: dymsum.by_lines(P, dymsum.LinesOptions(sums=planar(f)))),
+    ("by_lines", lambda f: dymsum.by_lines([P.data], dymsum.LinesOptions(sums=planar(f)))),
     ("check_offset", lambda f: dymsum.check_offset(P, Q, dymsum.DiscSide.outside, f)),
     ("check_offset", lambda f: dymsum.check_offset(ANGLE, BOX, dymsum.DiscSide.outside, solid(f))),
     ("check_set", lambda f: dymsum.check_set(P, Q, dymsum.SetCheckOptions(progress=f))),

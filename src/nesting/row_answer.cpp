@@ -5,6 +5,7 @@
 
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/orientation_sum.h"
+#include "dymsum/planar_operand.h"
 #include "dymsum/planar_sum.h"
 #include "io/region/write_wkb.h"
 #include "nesting/canonical_order.h"
@@ -14,8 +15,30 @@
 namespace dymsum::nesting {
 namespace {
 
+/// Of exact results, which growing by a distance and turning make.
+Result<PlanarSum> row_at_distance(const NfpTable::State& table, const TableRow& row, const SumOptions& options) {
+  std::optional<PlanarSum> turned;
+  const std::optional<int> quarters = table.quarters[row.angle];
+  if (!quarters) {
+    const Region origin = Region::create({{}, {}, {Point{0, 0}}}).value();
+    Result<PlanarSum> made =
+        rotated_sum(table.input.items[row.moving].shape, origin, table.angles[row.angle].orientation, options);
+    if (!made) return made;
+    turned = *std::move(made);
+  }
+  const PlanarOperand moving =
+      turned ? PlanarOperand(*turned) : *table.turned[row.moving][static_cast<std::size_t>(*quarters)];
+  if (row.kind == TableRow::Kind::nfp) {
+    const Result<PlanarSum>& grown = table.grown[row.fixed];
+    return grown ? nfp(*grown, moving, options) : grown;
+  }
+  const Result<PlanarSum> kept_clear = minkowski_sum(moving, *table.margin, options);
+  return kept_clear ? erode(table.input.bins[row.fixed].shape, *kept_clear, options) : kept_clear;
+}
+
 Result<PlanarSum> exact_row(const NfpTable::State& table, const TableRow& row, const SumOptions& options) {
   const bool nfp_row = row.kind == TableRow::Kind::nfp;
+  if (nfp_row ? table.spacing : table.margin) return row_at_distance(table, row, options);
   const Region& fixed = nfp_row ? table.input.items[row.fixed].shape : table.input.bins[row.fixed].shape;
   if (const std::optional<int> quarters = table.quarters[row.angle]) {
     const Region& moving = *table.turned[row.moving][static_cast<std::size_t>(*quarters)];

@@ -76,8 +76,9 @@ Extent extent_of(const Region& part, const Orientation& theta) {
 
 TableAnswer strip_answer(const NfpTable::State& table, const TableRow& row) {
   const Extent extent = extent_of(table.input.items[row.moving].shape, table.angles[row.angle].orientation);
-  const BigRational left = -extent.least_x, low = -extent.least_y,
-                    high = exact::exact_value(*table.input.strip_height) - extent.most_y;
+  const BigRational margin = exact::exact_value(table.input.margin), left = margin - extent.least_x,
+                    low = margin - extent.least_y,
+                    high = exact::exact_value(*table.input.strip_height) - extent.most_y - margin;
   TableAnswer answer;
   answer.strip.emplace();
   if (low > high) return answer;

@@ -12,9 +12,11 @@
 #include "base/poll.h"
 #include "exact/big.h"
 #include "io/region/write_wkb.h"
+#include "io/source.h"
 #include "nesting/angle_differences.h"
 #include "nesting/planning_poll.h"
 #include "nesting/quarter_turn.h"
+#include "planar/shapes/disc_polygon.h"
 
 namespace dymsum {
 namespace nesting {
@@ -40,6 +42,7 @@ class Planner {
   Planner(NfpTable::State& state, const Progress& progress) : state_(state), poll_(progress) {}
 
   Result<void> run() {
+    if (const Result<void> kept = take_distances(); !kept) return kept;
     digest();
     list_orientations();
     if (!list_rows()) return Error{ErrorCode::out_of_range, "the table has more than 2^32 - 2 rows", {}};
@@ -51,6 +54,20 @@ class Planner {
 
  private:
   static constexpr std::size_t kMostRows = 0xfffffffe;
+
+  Result<void> take_distances() {
+    Result<std::optional<Region>> spacing = planar::polygon_of_distance(state_.input.spacing, "spacing"),
+                                  margin = planar::polygon_of_distance(state_.input.margin, "margin");
+    if (!spacing) return spacing.error();
+    if (!margin) return margin.error();
+    state_.spacing = *std::move(spacing), state_.margin = *std::move(margin);
+    const std::size_t items = state_.spacing ? state_.input.items.size() : 0;
+    for (std::size_t i = 0; i < items; ++i) {
+      poll_.at("spacing", i, items);
+      state_.grown.push_back(minkowski_sum(state_.input.items[i].shape, *state_.spacing));
+    }
+    return {};
+  }
 
   void digest() {
     for (const TableItem& item : state_.input.items) state_.item_digests.push_back(digest_of(item.shape));
@@ -135,7 +152,10 @@ class Planner {
   }
 
   Key key(TableRow::Kind kind, const base::Digest& fixed, const base::Digest& moving, const Orientation& o) const {
-    std::string text = kind == TableRow::Kind::nfp ? "no-fit polygon 1\n" : "inner fit 1\n";
+    const bool nfp = kind == TableRow::Kind::nfp;
+    std::string text = nfp ? "no-fit polygon 1\n" : "inner fit 1\n";
+    if (const double distance = nfp ? state_.input.spacing : state_.input.margin; distance != 0)
+      io::append_number(text += "at distance ", distance);
     text.append(fixed.begin(), fixed.end());
     text.append(moving.begin(), moving.end());
     text += o.is_half_turn() ? "inf" : o.tan_half().to_string();
@@ -196,6 +216,7 @@ class Planner {
     for (const base::Digest& digest : state_.keys) mark(digest);
     for (const base::Digest& digest : state_.item_digests) mark(digest);
     mark(base::bit_cast<std::uint64_t>(state_.input.strip_height.value_or(0)));
+    mark(base::bit_cast<std::uint64_t>(state_.input.margin));
     for (const TableAngle& angle : state_.angles)
       mark(base::sha256(angle.orientation.is_half_turn() ? "inf" : angle.orientation.tan_half().to_string()));
     for (const TableRow& row : state_.rows) {

@@ -7,6 +7,7 @@
 
 #include "base/sha256.h"
 #include "dymsum/nfp_table.h"
+#include "dymsum/planar_sum.h"
 
 namespace dymsum {
 
@@ -32,6 +33,8 @@ struct NfpTable::State {
   std::vector<TableAngle> angles;
   /// How many quarter turns, counter-clockwise, an angle is, where it is a number of them.
   std::vector<std::optional<int>> quarters;
+  std::optional<Region> spacing, margin;  ///< the polygons of these distances, symmetric to axes and diagonals
+  std::vector<Result<PlanarSum>> grown;   ///< by items: with the spacing around them, where there is one
   /// The regions of items, turned by 1, 2 and 3 quarters where a row needs that.
   std::vector<std::array<std::optional<Region>, 4>> turned;
   std::vector<TableRow> rows;

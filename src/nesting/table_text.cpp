@@ -170,6 +170,8 @@ std::string table_manifest(const NfpTable& table, const TableResult& result, std
                          {"format_version", 1},
                          {"items", std::move(items)},
                          {"bins", std::move(bins)},
+                         {"spacing", state.input.spacing},
+                         {"margin", state.input.margin},
                          {"strip_height", state.input.strip_height ? Json(*state.input.strip_height) : Json(nullptr)},
                          {"angles", std::move(angles)},
                          {"rows", nesting::counts_json(state, result)},

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "dymsum/orientation_sum.h"
-#include "placement/disc_polygon.h"
 #include "placement/open_sets.h"
 #include "planar/position/exact_source.h"
+#include "planar/shapes/disc_polygon.h"
 
 namespace dymsum {
 namespace {
@@ -43,14 +43,6 @@ Error no_index(const char* what, std::uint32_t index, std::size_t count) {
   return {ErrorCode::bad_index,
           std::string("there is no ") + what + " " + std::to_string(index) + " of " + std::to_string(count),
           {}};
-}
-
-/// The polygon of a distance; nothing for 0.
-Result<std::optional<Region>> disc_of(double distance, const char* what) {
-  if (distance == 0) return std::optional<Region>();
-  Result<Region> disc = placement::polygon_around_disc(distance, what);
-  if (!disc) return disc.error();
-  return std::optional(*std::move(disc));
 }
 
 }  // namespace
@@ -127,10 +119,10 @@ Placement::~Placement() = default;
 Result<Placement> Placement::create(const Region& container, const PlacementOptions& options) {
   auto state = std::make_unique<State>();
   state->container = container;
-  Result<std::optional<Region>> spacing = disc_of(options.spacing, "spacing");
+  Result<std::optional<Region>> spacing = planar::polygon_of_distance(options.spacing, "spacing");
   if (!spacing) return spacing.error();
   state->spacing = *std::move(spacing);
-  const Result<std::optional<Region>> margin = disc_of(options.margin, "margin");
+  const Result<std::optional<Region>> margin = planar::polygon_of_distance(options.margin, "margin");
   if (!margin) return margin.error();
   if (container.empty()) return Error{ErrorCode::unsupported_operand, "the container is empty", {}};
   if (!container.polylines().empty() || !container.points().empty())

@@ -276,6 +276,52 @@ TEST(LayoutFiles, ClockwiseShapesAreTakenWithRepair) {
   EXPECT_EQ(parse_layouts(text, "l.json", options).error().code, ErrorCode::unsupported_operand);
 }
 
+TEST(LayoutFiles, OurOwnJsonComesBackExactly) {
+  const Region ring =
+      Region::create({{{{{-1, -1}, {4, -1}, {4, 4}, {-1, 4}}, {{{0, 0}, {0, 3}, {3, 3}, {3, 0}}}}}, {}, {}}).value();
+  const Region pieces =
+      Region::create(
+          {{{{{0, 0}, {1, 0}, {0, 1}}, {}}, {{{5, 5}, {6, 5}, {5, 6}}, {}}}, {{{7, 7}, {8, 8}}}, {{0.1, 0.2}}})
+          .value();
+  Layout layout;
+  layout.shapes = {ring, shapes::rectangle(0, 0, 1, 1), pieces};
+  layout.parts = {{"a \"ring\"", 0, Orientation::of(1, 3).value(), {Rational::of(1, 3).value(), Rational(0)}},
+                  {"", 1, Orientation::half_turn(), {Rational::of(0.1).value(), Rational(-7)}},
+                  {"again", 1, Orientation::of(-12345, 99991).value(), {Rational(2), Rational::of(-5, 7).value()}},
+                  {"2", 2, {}, {}}};
+  const auto compare = [&] {
+    const std::vector<Layout> all = parse_layouts(layout_to_json(layout), "ours").value();
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(all[0].shapes, layout.shapes);
+    EXPECT_EQ(all[0].container, layout.container);
+    ASSERT_EQ(all[0].parts.size(), layout.parts.size());
+    for (std::size_t k = 0; k < layout.parts.size(); ++k) {
+      EXPECT_EQ(all[0].parts[k].name, layout.parts[k].name);
+      EXPECT_EQ(all[0].parts[k].shape, layout.parts[k].shape);
+      EXPECT_EQ(all[0].parts[k].orientation, layout.parts[k].orientation);
+      EXPECT_EQ(all[0].parts[k].at, layout.parts[k].at);
+    }
+    EXPECT_EQ(layout_to_json(all[0]), layout_to_json(layout));
+  };
+  compare();
+  layout.container = ring;
+  compare();
+  layout.parts.clear();
+  compare();
+  layout = {};
+  compare();
+}
+
+TEST(LayoutFiles, TangentsThatAreNoneAreErrors) {
+  for (const char* tangent : {"1", "\"1/0\"", "\"x\"", "null"}) {
+    const std::string text =
+        R"({"items":[{"shape":{"type":"simple_polygon","data":[[0,0],[2,0],[2,2]]}}],"solution":{"layout":{"placed_items":[)"
+        R"({"item_id":0,"transformation":{"tan_half":)" +
+        std::string(tangent) + R"(,"translation":[0,0]}}]}}})";
+    EXPECT_EQ(parse_layouts(text, "ours").error().code, ErrorCode::malformed) << tangent;
+  }
+}
+
 TEST(LayoutCheck, RefusesWhatIsNoLayout) {
   Layout layout;
   layout.parts = {part(0, 0, 0)};

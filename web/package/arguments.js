@@ -29,6 +29,7 @@ export const optionsOf = {
   differenceOfMeshes: [2, solidBoolean],
   symmetricDifference: [2, boolean],
   symmetricDifferenceOfMeshes: [2, solidBoolean],
+  byLines: [1, ['tolerance', 'progress']],
   byPlanes: [1, ['tolerance', ...solidBoolean]],
   rotatedSum: [3, sum],
   sliceOfSum: [3, spatial],

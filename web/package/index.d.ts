@@ -681,6 +681,25 @@ export interface SolidByPlanes {
   /** polygons in no plane, which became triangles */
   bentFaces: number;
 }
+/** Two directions, as columns. */
+export type RingAxes = [Point, Point];
+export interface LinesOptions {
+  /** The most that a vertex may move; else 2^-40 of the region's size, 8 units of the last digit in single precision or decimals. */
+  tolerance?: number;
+  progress?: Progress;
+}
+/** `largestMove`: no vertex is further from where it was; `merged`: coordinates, and lines, that became one with another one. */
+export interface RegionByLines {
+  /** one sentence with all of the below */
+  report: string;
+  region: PlanarSum;
+  axes: RingAxes[];
+  tolerance: number;
+  largestMove: number;
+  merged: number;
+  /** edges parallel to others but for rounding, and left so */
+  looseEdges: number;
+}
 /**
  * A sum of solids, for drawing. `triangles` index `vertices`, which are those of the sum (`exact` takes their indices).
  * Features are three numbers: kind (0 vertex, 1 edge, 2 face), a, b; see SolidFeature.
@@ -996,6 +1015,10 @@ export interface Live {
   byPlanes(data: MeshData, options?: PlanesOptions): SolidByPlanes;
   /** Of several, with axes in common where that loses no planes: faces that are parallel in both stay so. */
   byPlanes(data: MeshData[], options?: PlanesOptions): SolidByPlanes[];
+  /** The region whose edges are parallel, at right angles and on common lines where those of the region are but for rounding. */
+  byLines(region: Region, options?: LinesOptions): RegionByLines;
+  /** Of several: what is parallel in two of them is so exactly. */
+  byLines(regions: Region[], options?: LinesOptions): RegionByLines[];
   /** (A (-) B) (+) B and (A (+) B) (-) B; `between: 'rounded'` where positions between the two are no doubles */
   opening(a: Mesh, b: Mesh, options?: SpatialOptions & { between?: 'exact' | 'rounded' }): SolidOpening;
   closing(a: Mesh, b: Mesh, options?: SpatialOptions & { between?: 'exact' | 'rounded' }): SolidOpening;

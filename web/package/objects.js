@@ -10,7 +10,7 @@ const classes = [
 const functions = [
   'nfp', 'erode', 'united', 'intersection', 'difference', 'symmetricDifference', 'unionOf', 'rotatedSum', 'convolutionSizes', 'scaleRange',
   'fitRange', 'sliceOfSum', 'cspaceSlice', 'checkPath', 'directPlan', 'drawRegion', 'drawSum', 'drawTrace', 'opening', 'closing', 'offset',
-  'byPlanes',
+  'byPlanes', 'byLines',
 ];
 /** What has another name, or that of the function for the plane. */
 const inner = [
@@ -97,12 +97,18 @@ function joined(made, calls) {
     if (!all.every((region) => region instanceof made.Region)) throw refusal('unionOf takes a list of regions');
     return calls.unionOf(all, options);
   };
+  const byLines = (given, options) => {
+    const all = given instanceof made.Region ? given : listed(given);
+    if (!(Array.isArray(all) ? all : [all]).every((region) => region instanceof made.Region)) throw refusal('byLines takes a region or a list of regions');
+    return calls.byLines(all, options);
+  };
   const united = (operands, options) => {
     const all = listed(operands);
     return ofKind('united takes a list of', all, calls.united, calls.unitedMeshes)(all, options);
   };
   return {
     unionOf,
+    byLines,
     united,
     drawSum: (p, q, sum, names) => calls.drawSum(p, q, sum, names),
     minkowskiSum: ofTwo('minkowskiSum', calls.sumOfSets, calls.sumOfMeshes, calls.sumOfResult),

@@ -23,6 +23,8 @@ std::string write_geojson(const RegionData& data);
 /// The bare geometry, without the end of the line.
 std::string geojson_geometry(const RegionData& data);
 std::string write_nesting(const RegionData& data);
+/// A shape of such an instance: its type and data.
+void append_shape(std::string& out, const RegionData& data);
 std::string write_svg(const RegionData& data);
 std::string write_dxf(const RegionData& data);
 

@@ -125,6 +125,8 @@ void append_outer_and_inner(std::string& out, const Part& part) {
   out += '}';
 }
 
+}  // namespace
+
 void append_shape(std::string& out, const RegionData& data) {
   const auto append_parts = [&] {
     append_list(out, data.parts, kNesting, [&](const Part& part) { append_outer_and_inner(out, part); });
@@ -150,7 +152,7 @@ void append_shape(std::string& out, const RegionData& data) {
   out += '}';
 }
 
-}  // namespace
+namespace {}  // namespace
 
 std::string write_poly(const RegionData& data) {
   std::size_t chains = data.parts.size() + data.polylines.size() + (data.points.empty() ? 0 : 1);

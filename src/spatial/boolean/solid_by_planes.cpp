@@ -7,11 +7,10 @@
 #include <cstdio>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "exact/big.h"
-#include "exact/grid.h"
+#include "exact/near_values.h"
 #include "exact/orient.h"
 #include "spatial/boolean/solid_union.h"
 #include "spatial/mesh/face_axes.h"
@@ -27,6 +26,7 @@ namespace dymsum {
 namespace {
 
 using exact::BigRational;
+using exact::join_values, exact::midpoint_of, exact::most_usual, exact::power_below, exact::residue_of;
 using spatial::AffineMap;
 using spatial::FaceAxes;
 using spatial::Vec3;
@@ -51,31 +51,13 @@ Extent extent_of(const std::vector<Point3>& vertices) {
   return e;
 }
 
-/// Whether coordinates look rounded to single precision: no digits beyond it, and some that need nearly all of it.
-bool in_single_precision(const std::vector<Point3>& vertices, double size) {
-  const double unit = std::ldexp(size, -12);
-  bool long_ones = false;
-  for (const Point3& v : vertices) {
-    for (const double c : {v.x, v.y, v.z}) {
-      if (static_cast<double>(static_cast<float>(c)) != c) return false;
-      long_ones = long_ones || std::remainder(c, std::exp2(std::floor(std::log2(unit)))) != 0;
-    }
-  }
-  return long_ones;
-}
-
-struct Tolerance {
-  double least = 0, value = 0;
-};
+using Tolerance = exact::MoveTolerance;
 
 Tolerance tolerance_for(const std::vector<Point3>& vertices, const std::optional<double>& wanted) {
-  double largest = 0;
-  for (const Point3& v : vertices) largest = std::max(largest, largest_of(v));
-  const double size = extent_of(vertices).size(), least = largest * 0x1p-46;
-  return {least, wanted.value_or(std::max(least, size * (in_single_precision(vertices, size) ? 0x1p-20 : 0x1p-40)))};
+  std::vector<double> coordinates;
+  for (const Point3& v : vertices) coordinates.insert(coordinates.end(), {v.x, v.y, v.z});
+  return exact::move_tolerance(coordinates, extent_of(vertices).size(), wanted, false);
 }
-
-double power_below(double v) { return std::exp2(std::floor(std::log2(v))); }
 
 /// Axes in few digits: their entries times a radius are off by a sixteenth of the tolerance. Entries next to 0 are 0.
 FaceAxes rounded_axes(const FaceAxes& axes, double radius, double tolerance) {
@@ -95,40 +77,6 @@ PartAxes public_axes(const FaceAxes& axes) {
   PartAxes result;
   for (std::size_t k = 0; k < 3; ++k) result[k] = {axes[k].x, axes[k].y, axes[k].z};
   return result;
-}
-
-/// Values within `width` become one. `rounded` says which one of a sorted run.
-template <class F>
-std::size_t join_values(std::vector<double>& values, double width, F rounded) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::size_t joined = 0;
-  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-    while (last < order.size() && values[order[last]] - values[order[first]] <= width) ++last;
-    std::vector<double> run;
-    for (std::size_t k = first; k < last; ++k) run.push_back(values[order[k]]);
-    const double one = rounded(run);
-    joined += static_cast<std::size_t>(std::unique(run.begin(), run.end()) - run.begin()) - 1;
-    for (std::size_t k = first; k < last; ++k) values[order[k]] = one;
-  }
-  return joined;
-}
-
-/// Of doubles in order the one that occurs most often, with the fewest digits of such.
-double most_usual(const std::vector<double>& run) {
-  double best = run[0];
-  std::size_t most = 0;
-  const auto digits = [](double v) {
-    const std::int64_t m = exact::to_dyadic(v).mantissa;
-    return m < 0 ? -m : m;
-  };
-  for (std::size_t first = 0, last = 0; first < run.size(); first = last) {
-    while (last < run.size() && run[last] == run[first]) ++last;
-    const std::size_t count = last - first;
-    if (count > most || (count == most && digits(run[first]) < digits(best))) best = run[first], most = count;
-  }
-  return best;
 }
 
 /// A part in its own coordinates, which are doubles, and the map back.
@@ -203,9 +151,8 @@ class PartMaker {
       const auto [low, high] = std::minmax_element(values.begin(), values.end());
       const double center = *low / 2 + *high / 2 + beside * unit;
       for (double& v : values) v -= center;
-      part.merged += join_values(values, width(), [&](const std::vector<double>& run) {
-        return std::nearbyint((run.front() / 2 + run.back() / 2) / unit) * unit;
-      });
+      part.merged +=
+          join_values(values, width(), [&](const std::vector<double>& run) { return midpoint_of(run, unit); });
       shift = shift + center * columns[axis];
     }
     for (std::size_t k = 0; k < used.size(); ++k) part.data.vertices[used[k]] = {along[0][k], along[1][k], along[2][k]};
@@ -228,13 +175,6 @@ bool is_plane(const std::vector<Point3>& at, const Face& face) {
   for (std::size_t k = j + 1; k < face.size(); ++k)
     if (exact::orient3_sign(a, at[face[i]], at[face[j]], at[face[k]]) != 0) return false;
   return true;
-}
-
-exact::Residue residue_of(double v) {
-  const exact::Dyadic d = exact::to_dyadic(v);
-  const exact::Residue size = exact::folded(static_cast<exact::u128>(d.mantissa < 0 ? -d.mantissa : d.mantissa));
-  const exact::Residue shifted = exact::times(size, exact::Residue{1} << ((d.exponent % 61 + 61) % 61));  // 2^61 is 1
-  return d.mantissa < 0 ? exact::minus(0, shifted) : shifted;
 }
 
 /// A direction of planes.

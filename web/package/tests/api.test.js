@@ -232,6 +232,20 @@ test('a turned box by its planes has six, and is the solid that the command line
   assert.equal(thrown(() => dymsum.byPlanes(data, { tolerance: 0 })).code, 'out_of_range');
 });
 
+test('a turned region by its lines has right angles and fits its slot', async () => {
+  const [c, s] = [Math.cos(0.4), Math.sin(0.4)], turn = (ring) => ring.map(([x, y]) => [c * x - s * y, s * x + c * y]);
+  const ell = dymsum.Region.fromRings([turn([[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2]])]);
+  const made = dymsum.byLines(ell), sum = (region) => dymsum.minkowskiSum(region, region);
+  assert.deepEqual([made.axes.length, made.looseEdges], [1, 0]);
+  assert.equal(sum(made.region).shape().vertices.length / 2, 6);
+  assert.ok(made.largestMove < 1e-12 && made.largestMove <= made.tolerance, `${made.largestMove}`);
+  assert.match(made.report, /^6 edges became 6,/);
+  const [first, second] = dymsum.byLines([ell, ell]);
+  assert.ok(first.region.equals(second.region) && first.region.equals(made.region));
+  assert.equal(thrown(() => dymsum.byLines(ell, { tolerance: 0 })).code, 'out_of_range');
+  assert.equal(thrown(() => dymsum.byLines([1])).code, thrown(() => dymsum.unionOf([1])).code);
+});
+
 test('a scaling sum equals the sum of the scaled operand in every frame, and has its events', async () => {
   const p = shapes.star(6, 1, 2);
   const q = slot();

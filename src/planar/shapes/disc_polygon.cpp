@@ -1,4 +1,4 @@
-#include "placement/disc_polygon.h"
+#include "planar/shapes/disc_polygon.h"
 
 #include <cmath>
 #include <numbers>
@@ -6,7 +6,7 @@
 
 #include "base/double_text.h"
 
-namespace dymsum::placement {
+namespace dymsum::planar {
 
 // With u = 2^-12 times the power of two below r, rounding moves a vertex by less than r 2^-12, and so every edge, which
 // was further away than r by r 2^-10 less some roundings. The vertices were 1 / cos(pi / 32) < 1.005 times as far.
@@ -33,4 +33,11 @@ Result<Region> polygon_around_disc(double radius, const char* what) {
   return Region::create({{polygon}, {}, {}});
 }
 
-}  // namespace dymsum::placement
+Result<std::optional<Region>> polygon_of_distance(double distance, const char* what) {
+  if (distance == 0) return std::optional<Region>();
+  Result<Region> disc = polygon_around_disc(distance, what);
+  if (!disc) return disc.error();
+  return std::optional(*std::move(disc));
+}
+
+}  // namespace dymsum::planar
