@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace dymsum::planar {
 
@@ -259,27 +258,6 @@ void EditArrangement::rename(const PlacedPair& placed, const ReducedConvolution&
     pairs.emplace(key(meetings.pair), std::move(meetings));
   }
   pairs_ = std::move(pairs);
-}
-
-void EditArrangement::round_again() {
-  std::vector<std::uint32_t> ids;
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (std::uint32_t s = 0; s < slots_.size(); ++s) {
-    if (!slots_[s].alive) continue;
-    soup_->boxes[s] = soup_->box(name(s));
-    for (const Event& e : slots_[s].events)
-      if (!(e.id & kTouchBit) && crossings_[e.id].a == s) {
-        ids.push_back(e.id);
-        pairs.push_back({s, crossings_[e.id].b});
-      }
-  }
-  Meetings found;
-  CrossingFinder(*soup_, found).pairs(pairs);
-  if (found.crossings.size() != ids.size()) throw std::logic_error("EditArrangement: a crossing is lost");
-  for (std::size_t k = 0; k < ids.size(); ++k) crossings_[ids[k]] = found.crossings[k];
-  for (std::uint32_t s = 0; s < slots_.size(); ++s)
-    for (Event& e : slots_[s].events)
-      if (!(e.id & kTouchBit)) e.t = crossings_[e.id].a == s ? crossings_[e.id].ta : crossings_[e.id].tb;
 }
 
 // Segments of a vertex that meets other edges than before, with the edges that were there before.

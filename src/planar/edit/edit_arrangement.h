@@ -64,8 +64,6 @@ class EditArrangement {
   void remove_changed(const std::array<WalkChanges, 2>& changes, const ReducedConvolution& after);
   /// What stays gets its new names, on the new lattice.
   void rename(const PlacedPair& placed, const ReducedConvolution& after, const std::array<WalkChanges, 2>& changes);
-  /// Rounded numbers anew, after a lattice that begins elsewhere: orders and signs stay what they are.
-  void round_again();
   /// Puts new segments in, and segments in cells that are covered no longer, and finds what they meet.
   void add_changed(const std::array<WalkChanges, 2>& changes, const ReducedConvolution& before,
                    std::span<const GridCell> uncovered);

@@ -83,10 +83,10 @@ bool EditedSum::can_keep(const PlacedPair& placed, const Step& step) const {
          (options_.mode == FrameMode::window || !convex_boundary(*placed.lattice, *placed.p, *placed.q));
 }
 
-// Whether what is kept can go on: the numbers of what stays are the same, or can be rounded again.
+// Whether what is kept can go on: the numbers of what stays are the same.
 bool EditedSum::comparable(const PlacedPair& placed) const {
   const Lattice &a = *placed_.lattice, &b = *placed.lattice;
-  return a.unit == b.unit && a.exact_doubles == b.exact_doubles && cover_->holds(placed);
+  return a.unit == b.unit && a.exact_doubles == b.exact_doubles && cover_->holds(placed) && same_numbers(placed);
 }
 
 // Whether rounded positions and their errors are those of a sum from scratch.
@@ -263,8 +263,6 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step, std::array<W
   arrangement_->remove_changed(walks, *convolution);
   const std::vector<GridCell> uncovered = cover_->update(placed_, placed, walks);
   arrangement_->rename(placed, *convolution, walks);
-  const bool other_numbers = !same_numbers(placed);
-  if (other_numbers) arrangement_->round_again();
   arrangement_->add_changed(walks, *convolution_, uncovered);
   for (std::uint32_t op = 0; op < 2; ++op) filled_[op] = filled_loops(placed, op);
   placed_ = std::move(placed);
@@ -277,8 +275,6 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step, std::array<W
   EditLoops::Changes changes;
   changes.walks = std::move(walks);
   loops_->update(*arrangement_, changes, *cover_, collision);
-  if (other_numbers)
-    for (auto& [id, cycle] : loops_->cycles()) cycle.ring.reset();
   work_.degenerate = loops_->degenerate(*arrangement_, *cover_, collision, options_.semantics != Semantics::regular);
 
   const EditArrangement::Work& done = arrangement_->work();

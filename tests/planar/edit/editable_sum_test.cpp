@@ -69,7 +69,7 @@ TEST(EditableSum, tiny_grids_equal_sums_from_scratch) {
   }
   EXPECT_GT(counts.made, 100);
   EXPECT_GT(counts.refused, 100);
-  EXPECT_GT(counts.updated, counts.made / 4);
+  EXPECT_GT(counts.updated, 100);
   EXPECT_GT(counts.degenerate, 0);
   std::cout << counts.made << " made, " << counts.refused << " refused, " << counts.updated << " updated, "
             << counts.degenerate << " degenerate\n";
@@ -100,7 +100,7 @@ TEST(EditableSum, free_shapes_equal_sums_from_scratch_in_all_coordinates) {
         ASSERT_FALSE(testing::Test::HasFatalFailure()) << "step " << step;
       }
     }
-  EXPECT_GT(counts.updated, counts.made / 2);
+  EXPECT_GT(counts.updated, 100);
   std::cout << counts.made << " made, " << counts.refused << " refused, " << counts.updated << " updated, "
             << counts.degenerate << " degenerate\n";
 }

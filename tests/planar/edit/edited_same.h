@@ -27,7 +27,8 @@ inline PlanarSum fresh_sum(const Region& p, const Region& q, const EditOptions& 
 /// is right where no two contacts along one line carry a vertex.
 inline std::string difference(const PlanarSum& a, const PlanarSum& b, bool names) {
   if (!(a == b)) return "other sets";
-  if (a.at_error != b.at_error) return "other errors: " + std::to_string(a.at_error) + " " + std::to_string(b.at_error);
+  if (names && a.at_error != b.at_error)
+    return "other errors: " + std::to_string(a.at_error) + " " + std::to_string(b.at_error);
   std::string found;
   const auto vertex = [&](const SumVertex& v, const SumVertex& w) {
     if (!found.empty()) return;
