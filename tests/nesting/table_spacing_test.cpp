@@ -78,7 +78,7 @@ std::vector<Point> vertices_of(const RegionData& set) {
   return all;
 }
 
-std::vector<Rational> degrees_of(const std::vector<int>& values) { return {values.begin(), values.end()}; }
+std::vector<Rational> whole_degrees(const std::vector<int>& values) { return {values.begin(), values.end()}; }
 
 TableInput input_of(CoordinateKind kind) {
   std::mt19937_64 random(11);
@@ -86,9 +86,9 @@ TableInput input_of(CoordinateKind kind) {
   const RegionData frame{
       {{{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}}, {{{-2.5, -2.5}, {-2.5, 2.5}, {2.5, 2.5}, {2.5, -2.5}}}}}, {}, {}};
   TableInput input;
-  input.items = {{"ell", made(shapes::letter_l(3, 3, 1).data()), degrees_of({0, 90, 31})},
-                 {"frame", made(frame), degrees_of({0, 180})},
-                 {"small", made(shapes::rectangle(0, 0, 1, 0.5).data()), degrees_of({0, 90})}};
+  input.items = {{"ell", made(shapes::letter_l(3, 3, 1).data()), whole_degrees({0, 90, 31})},
+                 {"frame", made(frame), whole_degrees({0, 180})},
+                 {"small", made(shapes::rectangle(0, 0, 1, 0.5).data()), whole_degrees({0, 90})}};
   const RegionData sheet{{{{{-9, -7}, {9, -7}, {9, 7}, {-9, 7}}, {{{1, 1}, {1, 2}, {3, 2}, {3, 1}}}}}, {}, {}};
   input.bins = {{"sheet", made(sheet)}, {"narrow", made(shapes::rectangle(0, 0, 12, 5).data())}};
   input.strip_height = 9;
@@ -155,7 +155,7 @@ TEST(TableSpacing, placements_at_the_vertices_of_a_table_keep_their_distances) {
 
 TEST(TableSpacing, strips_have_exact_margins) {
   TableInput input;
-  input.items = {{"box", shapes::rectangle(1, 2, 3, 5), degrees_of({0, 90})}};
+  input.items = {{"box", shapes::rectangle(1, 2, 3, 5), whole_degrees({0, 90})}};
   input.strip_height = 4, input.margin = 0.5;
   const NfpTable table = NfpTable::create(input).value();
   const TableResult result = compute_table(table).value();

@@ -23,7 +23,7 @@ using oracles::LatticeCells;
 using oracles::Voxel;
 using oracles::Voxels;
 
-const Mesh kOrigin = Mesh::with_thin_parts({{{0, 0, 0}}, {{0}}}).value();
+const Mesh kOnePoint = Mesh::with_thin_parts({{{0, 0, 0}}, {{0}}}).value();
 
 /// The regular part of a set, as a result.
 SpatialSum as_result(const Mesh& mesh) { return united(std::span(&mesh, 1)).value(); }
@@ -67,9 +67,9 @@ TEST(ResultOperands, a_position_without_room_is_part_of_the_set) {
   const auto at = [](int x, int y, int z) {
     return RationalPoint3{*Rational::of(x, 2), *Rational::of(y, 2), *Rational::of(z, 2)};
   };
-  EXPECT_TRUE(contains(slot.fit, kOrigin, at(3, 0, 0)).value());
-  EXPECT_TRUE(contains(slot.fit, kOrigin, at(3, 8, 0)).value());
-  EXPECT_FALSE(contains(slot.fit, kOrigin, at(3, 1, 0)).value());
+  EXPECT_TRUE(contains(slot.fit, kOnePoint, at(3, 0, 0)).value());
+  EXPECT_TRUE(contains(slot.fit, kOnePoint, at(3, 8, 0)).value());
+  EXPECT_FALSE(contains(slot.fit, kOnePoint, at(3, 1, 0)).value());
   EXPECT_TRUE(contains(slot.fit, slot.tool, at(3, 1, 1)).value());
   EXPECT_TRUE(contains(slot.fit, slot.tool, at(3, 1, 1), Semantics::open).value()) << "inside of what is swept";
   EXPECT_FALSE(contains(slot.fit, slot.tool, at(3, 5, 1)).value());
@@ -82,7 +82,7 @@ TEST(ResultOperands, what_is_tight_within_a_sum_adds_nothing) {
   ASSERT_GT(tight_count(swept), 0u);
   const Mesh cube = solids::box(0, 0, 0, 1, 1, 1);
   EXPECT_EQ(minkowski_sum(swept, cube).value(), minkowski_sum(as_mesh(swept).value(), cube).value());
-  EXPECT_EQ(tight_count(minkowski_sum(swept, kOrigin).value()), 0u);
+  EXPECT_EQ(tight_count(minkowski_sum(swept, kOnePoint).value()), 0u);
 }
 
 Voxels random_set(const Voxel& size, int fraction, std::mt19937_64& random) {
@@ -230,7 +230,7 @@ TEST_P(ResultKinds, a_solid_fits_into_itself_in_one_position_which_counts) {
     ASSERT_EQ(position.tight_points.size(), 1u);
     EXPECT_EQ(position.exact(position.tight_points[0]), RationalPoint3{});
     const SpatialSum again = minkowski_sum(position, *p).value();
-    EXPECT_EQ(again, minkowski_sum(kOrigin, *p).value());
+    EXPECT_EQ(again, minkowski_sum(kOnePoint, *p).value());
     EXPECT_EQ(again.volume_exact(), as_result(*p).volume_exact());
     // and in fractions: their sum fits into itself
     const SpatialSum both = minkowski_sum(*p, *q).value();
@@ -261,7 +261,9 @@ TEST_P(ResultKinds, opening_is_the_sum_with_what_fits) {
     EXPECT_EQ(minkowski_sum(read, *b).value(), minkowski_sum(*fit, *b).value());
     tight += tight_count(*fit) > 0;
   }
-  if (GetParam() == CoordinateKind::grid) EXPECT_GT(tight, 0);
+  if (GetParam() == CoordinateKind::grid) {
+    EXPECT_GT(tight, 0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ResultKinds, testing::ValuesIn(kCoordinateKinds),
