@@ -10,7 +10,7 @@
 namespace dymsum::exact {
 namespace {
 
-BigRational power_of_two(int exponent) {
+BigRational power_of_2(int exponent) {
   const BigInteger p = BigInteger(1) << static_cast<unsigned>(std::abs(exponent));
   return exponent < 0 ? BigRational(1, p) : BigRational(p);
 }
@@ -25,8 +25,8 @@ void expect_tight(const FineInterval& interval, const BigRational& v, int digits
   EXPECT_LE(rest, high) << digits;
   const BigRational size = v < 0 ? BigRational(-v) : v;
   // The sums above err by as much as two doubles do, and by the least doubles.
-  const BigRational error = digits > 106 ? BigRational(size * power_of_two(-98)) : rest < 0 ? BigRational(-rest) : rest;
-  EXPECT_LE(high - low, (digits > 106 ? error : BigRational(error * power_of_two(-50))) + power_of_two(-990)) << digits;
+  const BigRational error = digits > 106 ? BigRational(size * power_of_2(-98)) : rest < 0 ? BigRational(-rest) : rest;
+  EXPECT_LE(high - low, (digits > 106 ? error : BigRational(error * power_of_2(-50))) + power_of_2(-990)) << digits;
 }
 
 TEST(LeadingDigits, HoldIntegersOfEveryLength) {
@@ -43,7 +43,7 @@ TEST(LeadingDigits, HoldIntegersOfEveryLength) {
       if (k % 2 == 1) v = -v;
       const int shift = static_cast<int>(random() % 500) - 450;
       const FineInterval interval = leading_digits(narrowed<Int<250>>(Big(v)), shift);
-      expect_tight(interval, BigRational(v) * power_of_two(shift), bits);
+      expect_tight(interval, BigRational(v) * power_of_2(shift), bits);
     }
   }
 }
@@ -53,7 +53,7 @@ TEST(LeadingDigits, OfZeroAndOfAllButNothing) {
   for (const int shift : {-789, -790, -791, -792, -900, -1100, -4000}) {
     for (const int v : {1, -1, 3}) {
       const Interval at = leading_digits(Int<250>::from_int64(v), shift).rounded();
-      const BigRational exact = BigRational(v) * power_of_two(shift);
+      const BigRational exact = BigRational(v) * power_of_2(shift);
       EXPECT_TRUE(exact_value(at.low()) <= exact && exact <= exact_value(at.high())) << v << " " << shift;
       EXPECT_LE(at.high(), std::ldexp(1.0, std::max(-899, shift + 3))) << v << " " << shift;
     }
