@@ -20,7 +20,7 @@ namespace {
 using oracles::LatticeCells;
 using oracles::Voxel;
 
-double tight_length(const SpatialSum& s) {
+double length_of_segments(const SpatialSum& s) {
   double total = 0;
   for (const auto& segment : s.tight_segments) total += length(s, segment);
   return total;
@@ -69,7 +69,7 @@ TEST(ClosedSums, of_lattice_cells_are_all_of_the_set) {
     ASSERT_TRUE(made.ok()) << seed << ": " << made.error().to_string();
     EXPECT_EQ(made->volume_exact(), static_cast<std::int64_t>(expected.volume)) << seed;
     EXPECT_EQ(tight_area(*made), static_cast<double>(expected.tight_faces)) << seed;
-    EXPECT_EQ(tight_length(*made), static_cast<double>(expected.tight_edges)) << seed;
+    EXPECT_EQ(length_of_segments(*made), static_cast<double>(expected.tight_edges)) << seed;
     EXPECT_EQ(made->tight_points.size(), expected.tight_points) << seed;
     EXPECT_EQ(made->tight_segments.size(), made->tight_segment_contacts.size()) << seed;
     for (const auto& contacts : made->tight_segment_contacts) EXPECT_FALSE(contacts.empty()) << seed;
