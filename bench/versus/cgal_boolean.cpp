@@ -44,7 +44,8 @@ int main(int count, char** arguments) {
     const auto start = std::chrono::steady_clock::now();
     if (!run(arguments[3], p, q, made)) return 3;
     for (const auto v : made.vertices()) made.point(v).exact();  // constructions are lazy
-    least = std::min(least, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    least =
+        std::min(least, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     volume = CGAL::to_double(pmp::volume(made));
   }
   std::printf("%.6f %.17g\n", least, volume);

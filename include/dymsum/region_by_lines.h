@@ -42,12 +42,12 @@ struct RegionByLines {
 /// parallel exactly, in whatever direction; edges next to one line lie on it, so that vertices between them go; edges
 /// at right angles to others are so exactly. Rings turned alike have the coordinates that they had, rounded to a
 /// sixteenth of the tolerance, from their midpoint on: equal lengths are equal, and a part with edges at right angles
-/// fits its turned slot where lengths are multiples of that unit, else mostly. Vertices are where lines meet: fractions,
-/// or doubles along the coordinates' own axes (docs/design/region-by-lines.md). The data are rings `filled` takes, by
-/// positive winding numbers: they may touch or overlap within the tolerance. Polylines have lines like rings; points
-/// stay. Errors: not_finite; too_few_vertices and repeated_vertex of polylines; out_of_range for a tolerance that is
-/// not positive and finite or below the least that is named above, with that; no_area where nothing is left; as filled.
-/// Cost: O(n log n) for n vertices, besides filled.
+/// fits its turned slot where lengths are multiples of that unit, else mostly. Vertices are where lines meet:
+/// fractions, or doubles along the coordinates' own axes (docs/design/region-by-lines.md). The data are rings `filled`
+/// takes, by positive winding numbers: they may touch or overlap within the tolerance. Polylines have lines like rings;
+/// points stay. Errors: not_finite; too_few_vertices and repeated_vertex of polylines; out_of_range for a tolerance
+/// that is not positive and finite or below the least that is named above, with that; no_area where nothing is left; as
+/// filled. Cost: O(n log n) for n vertices, besides filled.
 Result<RegionByLines> by_lines(const RegionData& data, const LinesOptions& options = {});
 
 /// The same of several regions, in their order: what is parallel in two of them is so exactly, and rings have axes in

@@ -24,7 +24,8 @@ namespace {
 using SurfacePart = SurfaceEdits::Part;
 constexpr std::uint32_t kNoVertex = 0xffffffff;
 constexpr int kRounds = 64;
-// A tolerance is given up after so many rounds in which no fewer pairs meet than before, and after so many pairs a part.
+// A tolerance is given up after so many rounds in which no fewer pairs meet than before, and after so many pairs a
+// part.
 constexpr std::size_t kVainRounds = 16, kMostMeetings = 2;
 // A distance of two positions in doubles is off by a relative error of at most 2^-49: this is above it.
 constexpr double kAbove = 1 + 0x1p-40;
