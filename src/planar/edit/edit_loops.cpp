@@ -229,14 +229,13 @@ void EditLoops::update(EditArrangement& arrangement, const Changes& changes, con
 }
 
 // Candidates off the boundary have to be covered, or a tight feature shows.
-bool EditLoops::degenerate(EditArrangement& arrangement, const CountedCover& cover, Collision& collision, bool tight) {
+bool EditLoops::degenerate(EditArrangement& arrangement, const CountedCover& cover, Collision& collision) {
   if (nodes_.empty()) return false;
   std::unordered_map<std::uint64_t, std::uint32_t> visits;
   for (const auto& [id, cycle] : cycles_)
     if (cycle.kept)
       for (const std::uint64_t key : cycle.nodes)
         if (++visits[key] > 1) return true;
-  if (!tight) return false;
   for (auto& [key, candidates] : nodes_)
     for (TightSuspect& candidate : candidates) {
       if (candidate.covered && still_covered(candidate.cover, cover)) continue;

@@ -61,7 +61,7 @@ class EditLoops {
   const std::vector<EditCycle>& lost() const { return lost_; }
 
   /// Whether a tight feature shows, or the boundary comes to a position twice: rings have to be joined anew there.
-  bool degenerate(EditArrangement& arrangement, const CountedCover& cover, Collision& collision, bool tight);
+  bool degenerate(EditArrangement& arrangement, const CountedCover& cover, Collision& collision);
 
   bool has_nodes() const { return !nodes_.empty(); }
   /// The sub-edges of a cycle.

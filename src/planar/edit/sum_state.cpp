@@ -152,7 +152,7 @@ void EditedSum::keep(const PlacedPair& placed) {
   EditLoops::Changes all;
   all.all_new = true;
   loops_->update(*arrangement_, all, *cover_, collision);
-  plain_ = !loops_->degenerate(*arrangement_, *cover_, collision, options_.semantics != Semantics::regular);
+  plain_ = !loops_->degenerate(*arrangement_, *cover_, collision);
 }
 
 // The rings of a sum from scratch are those of cycles from now on.
@@ -275,7 +275,7 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step, std::array<W
   EditLoops::Changes changes;
   changes.walks = std::move(walks);
   loops_->update(*arrangement_, changes, *cover_, collision);
-  work_.degenerate = loops_->degenerate(*arrangement_, *cover_, collision, options_.semantics != Semantics::regular);
+  work_.degenerate = loops_->degenerate(*arrangement_, *cover_, collision);
 
   const EditArrangement::Work& done = arrangement_->work();
   work_.segments_removed = done.removed;
