@@ -60,7 +60,8 @@ Result<PlacedPair> EditedSum::placed_pair(const Step& step) const {
   for (std::uint32_t op = 0; op < 2; ++op)
     if (own[op] == nullptr || step.origins[op] != nullptr) {
       const Region& region = *step.regions[op];
-      if (own[op] != nullptr && arrangement_ != nullptr) {
+      // Where an edit makes rings touch, edges are cut.
+      if (own[op] != nullptr && arrangement_ != nullptr && region.touching_points().empty()) {
         if (auto moved = moved_operand(*own[op], region, *step.origins[op])) {
           own[op] = std::move(moved);
           continue;
