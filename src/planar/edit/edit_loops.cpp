@@ -217,7 +217,6 @@ void EditLoops::update(EditArrangement& arrangement, const Changes& changes, con
   work_ = {};
   if (!changes.all_new) rename(changes.walks);
   break_cycles(arrangement);
-  for (auto& [id, cycle] : broken_) rename_proof(cycle.cover, changes.walks);
   const NewOverlap anew(arrangement.soup().lattice, *arrangement.soup().operands[0], *arrangement.soup().operands[1],
                         {changes.walks[0].turned(), changes.walks[1].turned()});
   recheck(arrangement, anew, cover, collision);
