@@ -128,7 +128,10 @@ TEST_F(AnySolidSum, PartsWithoutVolumeAreTakenWhereAskedFor) {
   EXPECT_NE(sheet.err.find("--thin"), std::string::npos) << sheet.err;
   EXPECT_EQ(wire.code, 2);
   EXPECT_NE(wire.err.find("--thin"), std::string::npos) << wire.err;
-  EXPECT_EQ(work.run("dymsum sum sheet.off wire.obj --thin").code, 2) << "flat";
+  const Json flat = json("dymsum sum sheet.off wire.obj --thin --json");  // an L, without volume
+  EXPECT_EQ(flat["tight"]["faces"], 1);
+  EXPECT_EQ(flat["vertices"], 6);
+  EXPECT_EQ(flat["faces"], 0);
   EXPECT_EQ(work.run("dymsum info sheet.off").err.find("--thin"), std::string::npos);
 }
 
