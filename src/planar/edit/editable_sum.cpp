@@ -88,11 +88,12 @@ VertexOrigins reversed(const VertexOrigins& origins, std::size_t size) {
 class EditableSum::State {
  public:
   State(const Region& p, const Region& q, const EditOptions& options) : options_(options), sum_(options) {
+    std::uint32_t op = 0;  // both may be one region
     for (const Region* region : {&p, &q}) {
       auto named = std::make_shared<NamedRegion>();
       named->region = planar::trusted_region(region->data(), region->touching_points());
       for (std::size_t v = 0; v < region->vertex_count(); ++v) named->names.push_back(next_name_++);
-      operands_[region == &p ? 0 : 1] = std::move(named);
+      operands_[op++] = std::move(named);
     }
   }
 
