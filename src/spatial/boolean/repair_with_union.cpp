@@ -48,10 +48,14 @@ MeshData as_triangles(const MeshData& surface) {
 }
 
 /// Shells that are inside out and cross another shell are bodies: turned over, they add to it what they would have
-/// taken away. (One that crosses nothing bounds a cavity, or a body by itself.) Returns a vertex of each.
+/// taken away. (One that crosses nothing bounds a cavity, or a body by itself; one with an edge of more than two faces
+/// may be a piece of a surface, which has no inside.) Returns a vertex of each.
 std::vector<Point3> turn_crossing_shells(MeshData& triangles) {
-  const spatial::Shells shells = spatial::find_shells(spatial::half_edges(triangles.faces));
-  const std::vector<int> signs = spatial::shell_signs(triangles, shells);
+  const spatial::HalfEdges edges = spatial::half_edges(triangles.faces);
+  const spatial::Shells shells = spatial::find_shells(edges);
+  std::vector<int> signs = spatial::shell_signs(triangles, shells);
+  for (std::size_t h = 0; h < edges.twin.size(); ++h)
+    if (edges.twin[h] == spatial::HalfEdges::kNone) signs[shells.of_face[edges.face[h]]] = 0;
   if (shells.count < 2 || std::find(signs.begin(), signs.end(), -1) == signs.end()) return {};
   spatial::Triangles all;
   for (const Face& face : triangles.faces) all.triangles.push_back({face[0], face[1], face[2]});
