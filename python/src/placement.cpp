@@ -213,8 +213,9 @@ void bind_checks(nb::module_& m) {
   m.def("layout_to_json", &layout_to_json, "layout"_a,
         R"doc(A layout as JSON that read_layouts gives back exactly.
 
+>>> from fractions import Fraction
 >>> from dymsum import Layout, LayoutPart, layout_to_json, parse_layouts, shapes
->>> layout = Layout([shapes.rectangle(0, 0, 2, 2)], [LayoutPart(0, ("1/3", 0))])
+>>> layout = Layout([shapes.rectangle(0, 0, 2, 2)], [LayoutPart(0, (Fraction(1, 3), 0))])
 >>> parse_layouts(layout_to_json(layout), "ours")[0].parts[0].at.x
 Fraction(1, 3)
 )doc");

@@ -117,7 +117,7 @@ no_area where nothing is left; not_finite; too_few_vertices; repeated_vertex; ca
 >>> ell = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 2), (0, 2)]
 >>> part = by_lines([[(cos(1) * x - sin(1) * y, sin(1) * x + cos(1) * y) for x, y in ell]])
 >>> minkowski_sum(part.region, part.region).vertex_count(), part.largest_move < 1e-11
-(6, True)
+(8, True)
 )doc");
 }
 
