@@ -63,6 +63,43 @@ TEST(EditCases, undo_and_redo_restore_the_identical_state) {
   EXPECT_EQ(sum.redo().error().code, ErrorCode::out_of_range);
 }
 
+TEST(EditCases, both_operands_may_be_one_region) {
+  const Region disc = shapes::disc(9, 1);
+  EditableSum sum = EditableSum::create(disc, disc, updates()).value();
+  EXPECT_EQ(compared(sum), "");
+  ASSERT_TRUE(sum.edit(Edit::move(kQ, 0, {1.25, 0.25})).ok());
+  EXPECT_EQ(sum.p(), disc);
+  EXPECT_EQ(compared(sum), "");
+}
+
+Region region_of(std::vector<Ring> outer) {
+  RegionData data;
+  for (Ring& ring : outer) data.parts.push_back({std::move(ring), {}});
+  return Region::create(std::move(data)).value();
+}
+
+// Regular sums list no tight features, and their rings are joined anew where these show all the same.
+TEST(EditCases, a_regular_sum_in_which_a_tight_feature_shows) {
+  EditOptions regular = updates();
+  regular.semantics = Semantics::regular;
+  EditableSum sum = EditableSum::create(region_of({{{2, 3}, {6, 0}, {6, 3}, {1, 6}, {1, 3}}}),
+                                        region_of({{{4, 1}, {1, 4}, {3, 1}, {1, 0}, {4, 0}}}), regular)
+                        .value();
+  ASSERT_TRUE(sum.edit(Edit::insert(kQ, 2, {1, 3})).ok());
+  EXPECT_EQ(sum.sum().parts.size(), 1u);
+  EXPECT_EQ(compared(sum, regular), "");
+}
+
+TEST(EditCases, a_vertex_that_comes_to_lie_on_an_edge_cuts_it) {
+  EditableSum sum = EditableSum::create(region_of({{{2, 4}, {0, 4}, {3, 2}}, {{5, 2}, {4, 4}, {4, 0}}}),
+                                        region_of({{{3, 4}, {4, 5}, {2, 5}, {2, 4}, {1, 3}, {3, 1}}}), updates())
+                        .value();
+  const std::vector<Edit> edits{Edit::move(kP, 2, {2, 1}), Edit::move(kQ, 3, {3, 3})};
+  ASSERT_TRUE(sum.edit(edits).ok());
+  EXPECT_FALSE(sum.q().touching_points().empty());
+  EXPECT_EQ(compared(sum), "");
+}
+
 TEST(EditCases, refused_edits_give_the_evidence_of_create_and_change_nothing) {
   EditableSum sum = EditableSum::create(shapes::random_polygon(30, 2, 5), shapes::disc(8, 0.1), updates()).value();
   oracles::Random random(9);
