@@ -89,15 +89,19 @@ TEST(EditableSum, free_shapes_equal_sums_from_scratch_in_all_coordinates) {
       const Result<Region> p = Region::create(of_kind(shape.p.data(), kind, noise));
       const Result<Region> q = Region::create(of_kind(shape.q.data(), kind, noise));
       ASSERT_TRUE(p.ok() && q.ok());
-      oracles::Random random(7);
       EditOptions options;
       options.mode = FrameMode::window;
-      EditableSum sum = EditableSum::create(*p, *q, options).value();
       const auto box = bounds(*p);
       const Reach reach{0.08 * (box[2] - box[0]), 0};
-      for (int step = 0, n = rounds(60); step < n; ++step) {
-        edit_and_compare(sum, random, reach, options, true, counts);
-        ASSERT_FALSE(testing::Test::HasFatalFailure()) << "step " << step;
+      // Anew every so many steps: edits make shapes small, and what is small is made from scratch.
+      for (int block = 0, n = rounds(60) / 60; block < n; ++block) {
+        SCOPED_TRACE("block " + std::to_string(block));
+        oracles::Random random(static_cast<std::uint64_t>(7 + block));
+        EditableSum sum = EditableSum::create(*p, *q, options).value();
+        for (int step = 0; step < 60; ++step) {
+          edit_and_compare(sum, random, reach, options, true, counts);
+          ASSERT_FALSE(testing::Test::HasFatalFailure()) << "step " << step;
+        }
       }
     }
   EXPECT_GT(counts.updated, 100);
