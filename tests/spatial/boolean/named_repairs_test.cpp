@@ -158,8 +158,9 @@ TEST(NamedRepairs, faces_given_twice_are_dropped_where_the_others_are_closed_wit
   EXPECT_EQ(dropped.log.duplicate_faces, 1u);
   EXPECT_EQ(dropped.log.to_string(), "1 face given twice dropped");
   EXPECT_EQ(dropped.mesh, Mesh::create(cube(0, 1)).value());
-  MeshData twice = cube(0, 1);
-  twice.faces.insert(twice.faces.end(), twice.faces.begin(), twice.faces.end());
+  const MeshData once = cube(0, 1);
+  MeshData twice = once;
+  twice.faces.insert(twice.faces.end(), once.faces.begin(), once.faces.end());
   const LoggedMesh united = repair_with_union(twice, Fill::nonzero, MeshRepairOptions{}).value();
   EXPECT_EQ(united.log.duplicate_faces, 0u);
   // A face on a line closes the second copy, between a vertex on an edge and the neighbour that goes past it.
