@@ -79,7 +79,7 @@ class Separation {
     while (can_go_on() && !flatten()) ++round_;
     if (can_go_on()) first_ = std::make_shared<const Meetings>(meetings());
   }
-  /// Whether nothing meets any more, once what is nearer than the tolerance is merged.
+  /// Whether nothing meets any more but triangles that are one, once what is nearer than the tolerance is merged.
   bool run(double tolerance) {
     tolerance_ = tolerance;
     std::size_t fewest = SIZE_MAX, last = 0, looked_at = 0;
@@ -87,7 +87,7 @@ class Separation {
       if (!flatten()) continue;
       const std::shared_ptr<const Meetings> first = std::exchange(first_, nullptr);
       const Meetings met = first ? *first : meetings();
-      if (met.empty()) return true;
+      if (std::all_of(met.begin(), met.end(), [&](const auto& pair) { return are_one(pair[0], pair[1]); })) return true;
       // Surfaces that run into each other over and over meet in more pairs from round to round.
       if (met.size() < fewest) fewest = met.size(), last = 0;
       looked_at += met.size();
@@ -119,6 +119,14 @@ class Separation {
   double moved(double gap, double u, double v = 0) const { return gap + (size_ + u + v) * 0x1p-50; }
 
   bool can_go_on() const { return round_ < kRounds && !stuck_ && edits_.moved() <= limit_; }
+  /// Triangles with the same corners, which run the same way, as others cancel each other: beside them a sliver is gone
+  /// around twice, or inside out.
+  bool are_one(std::uint32_t s, std::uint32_t t) const {
+    std::array<std::uint32_t, 3> a = edits_.parts()[s].v, b = edits_.parts()[t].v;
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    return a == b;
+  }
   void merge_equal();
   bool flatten();
   void plant();
