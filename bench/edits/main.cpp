@@ -123,8 +123,7 @@ std::vector<ScalingPair> edited_pairs(const std::string& data) {
     pairs.push_back({"neuron + disc 32", neuron.p, shapes::disc(32, 1, shapes::demo_snap(1)), false});
     pairs.push_back({"bird + dog", dog.q, dog.p, false});
   }
-  pairs.push_back(
-      {"star 200 + star 200", shapes::noisy_star(200, 0.5, 1), shapes::noisy_star(200, 0.5, 2), false});
+  pairs.push_back({"star 200 + star 200", shapes::noisy_star(200, 0.5, 1), shapes::noisy_star(200, 0.5, 2), false});
   for (ScalingPair& pair : others)
     if (pair.name != "star 500 + star 500" && pair.name != "monkey + bird") pairs.push_back(std::move(pair));
   pairs.push_back({"grate 12 + grate 12", shapes::grate(12, 2, 1, 23), shapes::grate(12, 1, 0.5, 12), false});

@@ -218,7 +218,7 @@ void EditLoops::update(EditArrangement& arrangement, const Changes& changes, con
   if (!changes.all_new) rename(changes.walks);
   break_cycles(arrangement);
   const NewOverlap anew(arrangement.soup().lattice, *arrangement.soup().operands[0], *arrangement.soup().operands[1],
-                        {changes.walks[0].turned(), changes.walks[1].turned()});
+                        {changes.walks[0].new_corners(), changes.walks[1].new_corners()});
   recheck(arrangement, anew, cover, collision);
   update_nodes(arrangement);
   trace(arrangement);
