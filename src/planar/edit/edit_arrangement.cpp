@@ -21,9 +21,9 @@ EditArrangement::EditArrangement(const PlacedPair& placed, const FollowedConvolu
 // Names of segments.
 
 std::optional<WalkSegment> EditArrangement::follower(const WalkSegment& s) const {
-  const std::uint32_t turned = soup_->operands[s.side]->next[s.edge];
-  if (convolution_->find(s.side, turned, s.vertex) != kNoRank) return WalkSegment{s.side, turned, s.vertex};
-  if (convolution_->find(1 - s.side, s.vertex, turned) != kNoRank) return WalkSegment{1 - s.side, s.vertex, turned};
+  const std::uint32_t after = soup_->operands[s.side]->next[s.edge];
+  if (convolution_->find(s.side, after, s.vertex) != kNoRank) return WalkSegment{s.side, after, s.vertex};
+  if (convolution_->find(1 - s.side, s.vertex, after) != kNoRank) return WalkSegment{1 - s.side, s.vertex, after};
   return std::nullopt;
 }
 

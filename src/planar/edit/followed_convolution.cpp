@@ -102,8 +102,8 @@ void FollowedConvolution::find_lists() {
 
 void FollowedConvolution::list_used(std::uint32_t side) {
   used_[side].clear();
-  for (std::uint32_t k = 0; k < turns_[side].size(); ++k)
-    if (turns_[side][k].count != 0) used_[side].push_back(k);
+  for (std::uint32_t k = 0; k < ranges(side).size(); ++k)
+    if (ranges(side)[k].count != 0) used_[side].push_back(k);
 }
 
 // Where the direction of an edge of the other operand stands in a list of `side`: side 0 counts the directions of P
@@ -176,7 +176,7 @@ void FollowedConvolution::follow(const Lattice& lattice, const Operand& p, const
 std::uint64_t FollowedConvolution::order(std::uint32_t side, std::uint32_t edge, std::uint32_t vertex) const {
   const std::uint32_t component = columns_[side] == 1 ? 0 : operands_[side]->component_of[edge];
   const std::size_t row = std::size_t{vertex} * columns_[side] + component;
-  const auto& t = turns_[side][row];
+  const auto& t = ranges(side)[row];
   return std::uint64_t{side} << 63 | std::uint64_t{row} << 32 | (id(t, edge) - t.base);
 }
 

@@ -16,6 +16,8 @@ namespace dymsum::planar {
 void sort_again(DirectionList& list, const OwnEdges& edges, const Operand& o, std::span<const std::uint32_t> changed);
 
 class FollowedConvolution : public ReducedConvolution {
+  const auto& ranges(std::uint32_t side) const { return turns_[side]; }
+
  public:
   FollowedConvolution(const Lattice& lattice, const Operand& p, const Operand& q);
 
@@ -33,7 +35,7 @@ class FollowedConvolution : public ReducedConvolution {
   template <class F>
   void for_each_edge_at(std::uint32_t side, std::uint32_t vertex, F&& f) const {
     for (std::uint32_t c = 0; c < columns_[side]; ++c) {
-      const auto& t = turns_[side][std::size_t{vertex} * columns_[side] + c];
+      const auto& t = ranges(side)[std::size_t{vertex} * columns_[side] + c];
       if (t.count == 0) continue;
       const auto& edges = lists_[t.list]->edges;
       for (std::uint32_t k = 0, at = t.lo; k < t.count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) f(edges[at]);
@@ -45,7 +47,7 @@ class FollowedConvolution : public ReducedConvolution {
     const std::uint32_t columns = columns_[side], c = columns == 1 ? 0 : operands_[side]->component_of[edge];
     const auto n = static_cast<std::uint32_t>(operands_[1 - side]->size());
     for (std::uint32_t v = 0; v < n; ++v)
-      if (id(turns_[side][std::size_t{v} * columns + c], edge) != kNoRank) f(v);
+      if (id(ranges(side)[std::size_t{v} * columns + c], edge) != kNoRank) f(v);
   }
 
  private:

@@ -390,7 +390,7 @@ FrameChanges EditedSum::assemble() {
     EditCycle& cycle = loops_->cycles().at(id);
     rings.push_back(*std::exchange(cycle.ring, std::nullopt));
     cycle.ring.reset();
-    outer.push_back(cycle.turning > 0);
+    outer.push_back(cycle.winding > 0);
   }
   sum_ = PlanarSum{};
   exact_source(sum_) = source;
