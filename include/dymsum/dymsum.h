@@ -8,6 +8,7 @@
 #include "dymsum/convex_sum.h"
 #include "dymsum/cspace_obstacle.h"
 #include "dymsum/decomposition.h"
+#include "dymsum/edit_script.h"
 #include "dymsum/editable_sum.h"
 #include "dymsum/event.h"
 #include "dymsum/family.h"

@@ -27,6 +27,7 @@ TURNING = dymsum.SolidRotationEvents(ANGLE, BOX, (0, 0, 1))
 TURN, FURTHER = dymsum.AxisTurn.of(Fraction(3, 10)), dymsum.AxisTurn.of(Fraction(3, 8))
 LOCATOR = dymsum.SumLocator(dymsum.minkowski_sum(P, Q))
 FEATURES = dymsum.ShapeFeatures(P)
+RECORDING = dymsum.begin_recording(dymsum.EditableSum(P, Q))
 THETA = dymsum.Orientation.nearest(0.3)
 POSE = dymsum.SolidPose(dymsum.Rotation.of(5, 1, 2, 1))
 POINTS = numpy.random.default_rng(1).uniform(-2, 2, (5000, 2))
@@ -90,6 +91,7 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("ScalingSum", lambda f: dymsum.ScalingSum.create(P, Q, moving(f))),
     ("EditableSum", lambda f: dymsum.EditableSum(P, Q, dymsum.EditOptions(progress=f))),
     ("EditableSum", lambda f: dymsum.EditableSum.create(P, Q, dymsum.EditOptions(progress=f))),
+    ("replay", lambda f: dymsum.replay(RECORDING, f)),
     ("ScalingSum.events", lambda f: dymsum.ScalingSum(P, Q).events(1, Fraction(9, 8), f)),
     ("ScalingSum.next_event", lambda f: dymsum.ScalingSum(P, Q).next_event(1, 8, dymsum.EventChange.topology, f)),
     ("RotationFamily", lambda f: dymsum.RotationFamily(P, Q, dymsum.FamilyOptions(progress=f))),

@@ -63,6 +63,7 @@ const std::vector<std::string> kRooms = {
     "io/picture",
     "io/obstacle",
     "io/family",
+    "io/edit",
     "nesting",
     "placement",
     "check",

@@ -5,12 +5,13 @@
 
 namespace dymsum::planar {
 
-EditArrangement::EditArrangement(const PlacedPair& placed, const ReducedConvolution& convolution,
+EditArrangement::EditArrangement(const PlacedPair& placed, const FollowedConvolution& convolution,
                                  const CountedCover& cover)
     : convolution_(&convolution), cover_(cover), chain_(*this) {
   soup_.emplace(*placed.lattice, *placed.p, *placed.q);
   const Grid& grid = cover.grid();
   cells_.resize(static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns));
+  list_all();
   convolution.for_each([&](const WalkSegment& s) {
     if (has_live_cell(soup_->box(s))) add(s);
   });
@@ -20,9 +21,9 @@ EditArrangement::EditArrangement(const PlacedPair& placed, const ReducedConvolut
 // Names of segments.
 
 std::optional<WalkSegment> EditArrangement::follower(const WalkSegment& s) const {
-  const std::uint32_t turned = soup_->operands[s.side]->next[s.edge];
-  if (convolution_->find(s.side, turned, s.vertex) != kNoRank) return WalkSegment{s.side, turned, s.vertex};
-  if (convolution_->find(1 - s.side, s.vertex, turned) != kNoRank) return WalkSegment{1 - s.side, s.vertex, turned};
+  const std::uint32_t after = soup_->operands[s.side]->next[s.edge];
+  if (convolution_->find(s.side, after, s.vertex) != kNoRank) return WalkSegment{s.side, after, s.vertex};
+  if (convolution_->find(1 - s.side, s.vertex, after) != kNoRank) return WalkSegment{1 - s.side, s.vertex, after};
   return std::nullopt;
 }
 
@@ -77,6 +78,40 @@ bool EditArrangement::has_live_cell(const SoupBox& b) const {
   return live;
 }
 
+// The segments of an edge, and those of a vertex, form lists.
+
+void EditArrangement::list(std::uint32_t s) {
+  const WalkSegment w = name(s);
+  const std::array heads{&first_of_edge(w.side, w.edge), &first_of_vertex(w.side, w.vertex)};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::uint32_t next = std::exchange(*heads[k], s);
+    slots_[s].next_of[k] = next;
+    slots_[s].prev_of[k] = kNone;
+    if (next != kNone) slots_[next].prev_of[k] = s;
+  }
+}
+
+void EditArrangement::unlist(std::uint32_t s) {
+  const WalkSegment w = name(s);
+  const std::array heads{&first_of_edge(w.side, w.edge), &first_of_vertex(w.side, w.vertex)};
+  const Slot& slot = slots_[s];
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::uint32_t next = slot.next_of[k], prev = slot.prev_of[k];
+    if (prev == kNone) *heads[k] = next;
+    else slots_[prev].next_of[k] = next;
+    if (next != kNone) slots_[next].prev_of[k] = prev;
+  }
+}
+
+void EditArrangement::list_all() {
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    first_of_[side].assign(soup_->operands[side]->size(), kNone);
+    first_of_[2 + side].assign(soup_->operands[1 - side]->size(), kNone);
+  }
+  for (std::uint32_t s = 0; s < slots_.size(); ++s)
+    if (slots_[s].alive) list(s);
+}
+
 // Segments.
 
 std::uint32_t EditArrangement::add(const WalkSegment& w) {
@@ -101,6 +136,7 @@ std::uint32_t EditArrangement::add(const WalkSegment& w) {
   slot.fresh = true;
   fresh_.push_back(s);
   live_.emplace(key(w), s);
+  list(s);
   ++work_.added;
   if (const auto to = follower(w))
     if (const std::uint32_t n = find_live(*to); n != kNone) set_next(s, n);
@@ -189,6 +225,7 @@ void EditArrangement::remove(std::uint32_t s) {
     relink_.push_back(n);
   }
   live_.erase(key(name(s)));
+  unlist(s);
   const WalkPair start = soup_->start(s), end = soup_->end(s);
   slot = Slot{};
   soup_->segments[s].vertex = kNone;
@@ -215,24 +252,43 @@ void EditArrangement::relink() {
 }
 
 bool EditArrangement::stays(std::uint32_t s, const std::array<WalkChanges, 2>& changes,
-                            const ReducedConvolution& after) const {
+                            const FollowedConvolution& after) const {
   const WalkSegment w = name(s);
   const std::uint32_t edge = changes[w.side].edge_after(w.edge), vertex = changes[1 - w.side].after(w.vertex);
   if (edge == kNone || vertex == kNone) return false;
   return changes[1 - w.side].corner_stays(vertex) || after.find(w.side, edge, vertex) != kNoRank;
 }
 
-void EditArrangement::remove_changed(const std::array<WalkChanges, 2>& changes, const ReducedConvolution& after) {
-  work_ = {};
-  links_.clear();
-  std::vector<std::uint32_t> gone;
-  for (std::uint32_t s = 0; s < slots_.size(); ++s)
-    if (soup_->segments[s].vertex != kNone && !stays(s, changes, after)) gone.push_back(s);
-  for (const std::uint32_t s : gone) unsettle_nodes_of(s);
-  for (const std::uint32_t s : gone) remove(s);
+// The segments that do not stay.
+std::vector<std::uint32_t> EditArrangement::gone(const std::array<WalkChanges, 2>& changes,
+                                                 const FollowedConvolution& after) {
+  std::vector<std::uint32_t> list;
+  if (!changes[0].only_moves() || !changes[1].only_moves()) {
+    for (std::uint32_t s = 0; s < slots_.size(); ++s)
+      if (slots_[s].alive && !stays(s, changes, after)) list.push_back(s);
+    return list;
+  }
+  ++stamp_;
+  const auto look = [&](std::uint32_t s, std::size_t k) {
+    for (; s != kNone; s = slots_[s].next_of[k])
+      if (std::exchange(stamps_[s], stamp_) != stamp_ && !stays(s, changes, after)) list.push_back(s);
+  };
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    for (const std::uint32_t e : changes[op].new_edges()) look(first_of_edge(op, e), 0);
+    for (const std::uint32_t v : changes[op].new_corners()) look(first_of_vertex(1 - op, v), 1);
+  }
+  return list;
 }
 
-void EditArrangement::rename(const PlacedPair& placed, const ReducedConvolution& after,
+void EditArrangement::remove_changed(const std::array<WalkChanges, 2>& changes, const FollowedConvolution& after) {
+  work_ = {};
+  links_.clear();
+  const std::vector<std::uint32_t> list = gone(changes, after);
+  for (const std::uint32_t s : list) unsettle_nodes_of(s);
+  for (const std::uint32_t s : list) remove(s);
+}
+
+void EditArrangement::rename(const PlacedPair& placed, const FollowedConvolution& after,
                              const std::array<WalkChanges, 2>& changes) {
   Soup next(*placed.lattice, *placed.p, *placed.q);
   next.segments = std::move(soup_->segments);
@@ -258,32 +314,20 @@ void EditArrangement::rename(const PlacedPair& placed, const ReducedConvolution&
     pairs.emplace(key(meetings.pair), std::move(meetings));
   }
   pairs_ = std::move(pairs);
+  list_all();
 }
 
-// Segments of a vertex that meets other edges than before, with the edges that were there before.
-void EditArrangement::add_corner(std::uint32_t side, std::uint32_t v, const std::array<WalkChanges, 2>& changes,
-                                 const ReducedConvolution& before) {
-  const std::uint32_t was = changes[1 - side].before(v);
-  const Operand& o = *soup_->operands[side];
-  for (std::uint32_t e = 0; e < o.size(); ++e) {
-    if (convolution_->find(side, e, v) == kNoRank) continue;
-    const WalkSegment w{side, e, v};
-    if (was != kNone && changes[side].edge_stays(e) && before.find(side, changes[side].before(e), was) != kNoRank)
-      continue;
-    if (find_live(w) == kNone && has_live_cell(soup_->box(w))) add(w);
-  }
+void EditArrangement::add_missing(const WalkSegment& w) {
+  if (find_live(w) == kNone && has_live_cell(soup_->box(w))) add(w);
 }
 
-void EditArrangement::add_changed(const std::array<WalkChanges, 2>& changes, const ReducedConvolution& before,
-                                  std::span<const GridCell> uncovered) {
+// Segments of vertices that meet other edges than before, and of edges that are new.
+void EditArrangement::add_changed(const std::array<WalkChanges, 2>& changes, std::span<const GridCell> uncovered) {
   for (std::uint32_t side = 0; side < 2; ++side) {
-    for (const std::uint32_t v : changes[1 - side].turned()) add_corner(side, v, changes, before);
+    for (const std::uint32_t v : changes[1 - side].new_corners())
+      convolution_->for_each_edge_at(side, v, [&](std::uint32_t e) { add_missing({side, e, v}); });
     for (const std::uint32_t e : changes[side].new_edges())
-      for (std::uint32_t v = 0; v < soup_->operands[1 - side]->size(); ++v) {
-        if (convolution_->find(side, e, v) == kNoRank) continue;
-        const WalkSegment w{side, e, v};
-        if (find_live(w) == kNone && has_live_cell(soup_->box(w))) add(w);
-      }
+      convolution_->for_each_vertex_at(side, e, [&](std::uint32_t v) { add_missing({side, e, v}); });
   }
   open_cells(uncovered);
   relink();

@@ -24,7 +24,7 @@ struct CoverProof {
 
 /// A cycle of the successor map.
 struct EditCycle {
-  int turning = 0;
+  int winding = 0;
   bool kept = false;                 ///< it bounds the sum
   EventName sample;                  ///< where a sub-edge of it starts
   CoverProof cover;                  ///< of one that is not kept
