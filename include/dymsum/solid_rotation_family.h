@@ -2,6 +2,7 @@
 // in time proportional to its size, and all exact angles at which it changes.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,11 +13,11 @@
 
 namespace dymsum {
 
-/// The sums R(theta) P (+) Q (or P (+) R(theta) Q) for all theta of an interval, or of a whole turn. Any number of
-/// threads may query one family at the same time.
+/// The sums R(theta) P (+) Q (or P (+) R(theta) Q) for all theta, or those of an interval. Any number of threads
+/// may query one family at the same time.
 class SolidRotationFamily {
  public:
-  /// Finds all events of a whole turn, or from `from` counter-clockwise to `to`, both included. Errors: as
+  /// Finds all events of all angles, or from `from` counter-clockwise to `to`, both included. Errors: as
   /// SolidRotationEvents::create; out_of_range where `from` and `to` are one; cancelled. Cost: that of
   /// SolidRotationEvents::events without changes (docs/design/solid-families.md).
   static Result<SolidRotationFamily> create(const Mesh& p, const Mesh& q, const TurnAxis& axis,
@@ -31,9 +32,9 @@ class SolidRotationFamily {
   const Mesh& q() const;
   const TurnAxis& axis() const;               ///< primitive
   const SolidFamilyOptions& options() const;  ///< with no progress, which is of the making alone
-  /// The ends of the interval; nothing of a whole turn, which begins at -pi (excluded) and ends at pi.
-  const std::optional<AxisTurn>& from() const;
-  const std::optional<AxisTurn>& to() const;
+  /// From which angle to which one; nothing of all, from -pi (excluded) to pi.
+  using Ends = std::optional<std::array<AxisTurn, 2>>;
+  const Ends& ends() const;
   /// In order: the angles at which something meets on the boundary. Cells lie between them. Which of them are visible
   /// is not known: no sums are compared.
   const std::vector<SolidRotationEvent>& events() const;
@@ -45,11 +46,11 @@ class SolidRotationFamily {
   /// event, is a sum from scratch; further ones take O((m + n + k) log k) for m and n vertices of the operands and k of
   /// the sum. Errors: bad_rotation outside the interval; unsupported_operand where coordinates need more than 8,192
   /// bits; cancelled.
-  Result<SpatialSum> at(const AxisTurn& turn, const Progress& progress = {}) const;
+  Result<SpatialSum> at(const AxisTurn& theta, const Progress& progress = {}) const;
   /// The first event after an angle of the interval. Requires one: throws std::invalid_argument for others.
-  std::optional<SolidRotationEvent> next(const AxisTurn& turn) const;
+  std::optional<SolidRotationEvent> next(const AxisTurn& theta) const;
   /// Requires an angle of the interval, as next().
-  SolidFamilyLocation locate(const AxisTurn& turn) const;
+  SolidFamilyLocation locate(const AxisTurn& theta) const;
 
  private:
   class State;

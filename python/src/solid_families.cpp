@@ -166,6 +166,10 @@ Rotating* made_rotating(const MeshArgument& p, const MeshArgument& q, const Turn
                       })};
 }
 
+nb::object end_of(const Rotating& self, std::size_t end) {
+  return self.family.ends() ? nb::cast((*self.family.ends())[end]) : nb::none();
+}
+
 Remembered<SpatialSum> turned_sum(const Rotating& self, const AxisTurn& turn, const Progress& progress) {
   SpatialSum sum = run(progress, [&](const Progress& own) { return self.family.at(turn, own); });
   SolidRotationOptions options;
@@ -202,24 +206,22 @@ void bind_rotation_family(nb::module_& m) {
       .def("axis", [](const Rotating& self) { return self.family.axis(); })
       .def("options", [](const Rotating& self) { return self.family.options(); })
       .def(
-          "from_", [](const Rotating& self) { return self.family.from(); }, "None of a whole turn.")
-      .def("to", [](const Rotating& self) { return self.family.to(); })
+          "ends", [](const Rotating& self) { return self.family.ends(); }, "From which turn to which one; None of all.")
       .def(
           "events", [](const Rotating& self) { return self.family.events(); },
           "All events in order; cells lie between them.")
-      .def("at", &turned_sum, "turn"_a, "progress"_a = nb::none(),
+      .def("at", &turned_sum, "theta"_a, "progress"_a = nb::none(),
            "The exact sum at a turn of the interval. Raises Error: bad_rotation outside of it.")
       .def(
-          "next", [](const Rotating& self, const AxisTurn& turn) { return self.family.next(turn); }, "turn"_a,
+          "next", [](const Rotating& self, const AxisTurn& turn) { return self.family.next(turn); }, "theta"_a,
           "The first event after a turn of the interval, or None. Raises ValueError outside of it.")
       .def(
-          "locate", [](const Rotating& self, const AxisTurn& turn) { return self.family.locate(turn); }, "turn"_a,
+          "locate", [](const Rotating& self, const AxisTurn& turn) { return self.family.locate(turn); }, "theta"_a,
           "The cell that a turn lies in, or the event that it is. Raises ValueError outside of the interval.")
       .def("work", [](const Rotating& self) { return self.family.work(); })
       .def("__reduce__", [](const Rotating& self) {
-        return nb::make_tuple(nb::type<Rotating>(),
-                              nb::make_tuple(self.p, self.q, self.family.axis(), self.family.from(), self.family.to(),
-                                             self.family.options()));
+        return nb::make_tuple(nb::type<Rotating>(), nb::make_tuple(self.p, self.q, self.family.axis(), end_of(self, 0),
+                                                                   end_of(self, 1), self.family.options()));
       });
 }
 

@@ -79,7 +79,7 @@ def test_turns() -> None:
     plain = dymsum.SolidRotationEvents(ELL, BOX, (0, 0, 1))
     for t in (Fraction(-1, 7), Fraction(-1, 8), Fraction(0), Fraction(1, 9), Fraction(1, 5)):
         assert family.at(AxisTurn.of(t)) == plain.at(AxisTurn.of(t)), t
-    assert family.locate(AxisTurn()).event and family.from_() == some and family.to() == more
+    assert family.locate(AxisTurn()).event and family.ends() == [some, more]
     assert family.next(some) is not None and family.axis() == [0, 0, 1]
     again = pickle.loads(pickle.dumps(family))
     assert len(again.events()) == len(family.events())

@@ -210,7 +210,7 @@ Result<std::array<Rational, 4>> SolidScalingFamily::volume_polynomial(const Scal
       const auto [cell, event] = locate(s);
       StructureCache::Kept structure;
       if (!state_->convex) {
-        // At an event in the middle of no cell, both cells beside it have its volume.
+        // Both cells beside an event have its volume; one of them may be empty.
         const std::optional<Scale> before = event ? state_->scale_in(cell) : s,
                                    after = event && !before ? state_->scale_in(cell + 1) : std::nullopt;
         if (before) structure = state_->structure(cell, *before, progress);

@@ -13,8 +13,8 @@
 #include "oracles/coordinate_kinds.h"
 #include "spatial/convex/setting.h"
 #include "spatial/events/rotating_pairs.h"
+#include "spatial/family/angle_order.h"
 #include "spatial/family/family_checks.h"
-#include "spatial/family/turn_order.h"
 #include "spatial/moving/moving_cases.h"
 
 namespace dymsum {
@@ -51,12 +51,12 @@ Compared check_family(const std::string& name, const SolidRotationFamily& family
   SolidRotationOptions plain;
   plain.moving = family.options().moving;
   const SolidRotationEvents scratch = SolidRotationEvents::create(family.p(), family.q(), family.axis(), plain).value();
-  const auto check = [&](const AxisTurn& turn) {
-    const Result<SpatialSum> found = family.at(turn);
+  const auto check = [&](const AxisTurn& theta) {
+    const Result<SpatialSum> found = family.at(theta);
     if (!found.ok() && found.error().code == ErrorCode::bad_rotation) return;  // just outside
     ASSERT_TRUE(found.ok()) << name << ": " << found.error().to_string();
-    const SpatialSum expected = scratch.at(turn).value();
-    expect_same_set(*found, expected, name + " at t = " + turn.t().to_string());
+    const SpatialSum expected = scratch.at(theta).value();
+    expect_same_set(*found, expected, name + " at t = " + theta.t().to_string());
     ++compared.sums;
     bool same = found->vertex_contacts == expected.vertex_contacts;
     for (std::size_t f = 0; f < found->faces.size(); ++f)
@@ -64,8 +64,8 @@ Compared check_family(const std::string& name, const SolidRotationFamily& family
     compared.named_otherwise += !same;
   };
   for (int k = 0; k < count; ++k)
-    for (const AxisTurn& turn : turns_near(family.axis(), low + (high - low) * (k + 0.37) / count)) {
-      check(turn);
+    for (const AxisTurn& theta : turns_near(family.axis(), low + (high - low) * (k + 0.37) / count)) {
+      check(theta);
       if (testing::Test::HasFatalFailure()) return compared;
     }
   for (std::size_t k = 0; k < family.events().size(); k += std::max<std::size_t>(1, family.events().size() / 12)) {
@@ -75,7 +75,7 @@ Compared check_family(const std::string& name, const SolidRotationFamily& family
       check(*event.parameter.exact);
     }
     for (const double by : {-1e-7, -1e-13, 1e-13, 1e-7})
-      for (const AxisTurn& turn : turns_near(family.axis(), event.approx + by)) check(turn);
+      for (const AxisTurn& theta : turns_near(family.axis(), event.approx + by)) check(theta);
     if (testing::Test::HasFatalFailure()) return compared;
   }
   return compared;
@@ -119,7 +119,7 @@ TEST(SolidRotationFamily, SumsOfRandomPairsAreThoseFromScratch) {
 TEST(SolidRotationFamily, AWholeTurnOfACubeInACube) {
   const Mesh cube = moving_cases::mesh_of(box(1));
   const SolidRotationFamily family = SolidRotationFamily::create(cube, cube, {0, 0, 1}).value();
-  EXPECT_FALSE(family.from() || family.to());
+  EXPECT_FALSE(family.ends());
   // Faces are parallel at the four quarters.
   ASSERT_EQ(family.events().size(), 4u);
   EXPECT_EQ(family.events().back().approx, std::numbers::pi);
@@ -134,18 +134,19 @@ TEST(SolidRotationFamily, AWholeTurnOfACubeInACube) {
 
 TEST(SolidRotationFamily, AnglesBesideAHalfTurnAreToldExactly) {
   const spatial::RotationCircle circle({0, 0, 1});
-  const spatial::TurnOrder whole(circle, std::nullopt, std::nullopt);
-  SolidRotationEvent event;  // t = 2^-60 behind half a turn, whose double is pi
+  const spatial::AngleOrder whole(circle, std::nullopt, std::nullopt);
+  SolidRotationEvent event;  // t = 2^-60 behind half a theta, whose double is pi
   event.parameter.polynomial = {"-1", "1152921504606846976"}, event.parameter.opposite = true;
   event.parameter.t_low = event.parameter.t_high = 0x1p-60, event.approx = std::numbers::pi;
-  EXPECT_EQ(whole.compare(AxisTurn::half_turn(), event), 1);
-  EXPECT_EQ(whole.compare(AxisTurn(), event), 1);
+  const auto at = [&](const AxisTurn& angle) { return circle.position(angle); };
+  const auto angle = [&](const char* t) { return at(AxisTurn::of(Rational::parse(t).value())); };
+  EXPECT_EQ(whole.compare(at(AxisTurn::half_turn()), event), 1);
+  EXPECT_EQ(whole.compare(at(AxisTurn()), event), 1);
   // -1 / t of chart 0.
-  const auto turn = [](const char* t) { return AxisTurn::of(Rational::parse(t).value()); };
-  EXPECT_EQ(whole.compare(turn("-1152921504606846976"), event), 0);
-  EXPECT_EQ(whole.compare(turn("-1152921504606846977"), event), -1);
-  EXPECT_EQ(whole.compare(turn("-1152921504606846975"), event), 1);
-  EXPECT_EQ(whole.compare(turn("1152921504606846976"), event), 1);
+  EXPECT_EQ(whole.compare(angle("-1152921504606846976"), event), 0);
+  EXPECT_EQ(whole.compare(angle("-1152921504606846977"), event), -1);
+  EXPECT_EQ(whole.compare(angle("-1152921504606846975"), event), 1);
+  EXPECT_EQ(whole.compare(angle("1152921504606846976"), event), 1);
 }
 
 TEST(SolidRotationFamily, RefusesWhatItDoesNotTake) {
