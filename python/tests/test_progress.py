@@ -47,6 +47,10 @@ def solid(progress: Progress) -> dymsum.SpatialOptions:
     return dymsum.SpatialOptions(progress=progress)
 
 
+def family_of(progress: Progress) -> dymsum.SolidFamilyOptions:
+    return dymsum.SolidFamilyOptions(progress=progress)
+
+
 def moving(progress: Progress) -> dymsum.MovingOptions:
     return dymsum.MovingOptions(progress=progress)
 
@@ -114,6 +118,14 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
         lambda f: dymsum.SolidScaleEvents(ANGLE, BOX).next_topology_change(1, 2, progress=f),
     ),
     ("SolidScaleEvents.combinatorial_hash", lambda f: dymsum.SolidScaleEvents(ANGLE, BOX).combinatorial_hash(2, f)),
+    ("SolidScalingFamily", lambda f: dymsum.SolidScalingFamily(ANGLE, BOX, 1, 2, family_of(f))),
+    ("SolidScalingFamily", lambda f: dymsum.SolidScalingFamily.create(ANGLE, BOX, 1, 2, family_of(f))),
+    ("SolidScalingFamily.at", lambda f: dymsum.SolidScalingFamily(ANGLE, BOX, 1, 2).at(2, f)),
+    ("SolidScalingFamily.lifetimes", lambda f: dymsum.SolidScalingFamily(ANGLE, BOX, 1, 2).lifetimes(f)),
+    ("SolidScalingFamily.volume_polynomial", lambda f: dymsum.SolidScalingFamily(ANGLE, BOX, 1, 2).volume_polynomial(2, f)),
+    ("SolidRotationFamily", lambda f: dymsum.SolidRotationFamily(ANGLE, BOX, (0, 0, 1), options=family_of(f))),
+    ("SolidRotationFamily", lambda f: dymsum.SolidRotationFamily.create(ANGLE, BOX, (0, 0, 1), options=family_of(f))),
+    ("SolidRotationFamily.at", lambda f: dymsum.SolidRotationFamily(ANGLE, BOX, (0, 0, 1)).at(TURN, f)),
     ("solid_scale_range", lambda f: dymsum.solid_scale_range(BOX, [(0, 0, 9), (0, 0, -9)], ANGLE, f)),
     ("solid_fit_range", lambda f: dymsum.solid_fit_range(BOX, ANGLE, f)),
     ("solid_fit_range", lambda f: dymsum.solid_fit_range(BOX, ANGLE, (0.1, 0.1, 0.1), f)),

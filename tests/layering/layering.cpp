@@ -51,6 +51,7 @@ const std::vector<std::string> kRooms = {
     "spatial/motion",
     "spatial/moving",
     "spatial/events",
+    "spatial/family",
     "spatial/local",
     "spatial/erode",
     "spatial/offset",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace dymsum::planar {
 
@@ -289,13 +290,17 @@ void EditArrangement::remove_changed(const std::array<WalkChanges, 2>& changes, 
 }
 
 void EditArrangement::rename(const PlacedPair& placed, const FollowedConvolution& after,
-                             const std::array<WalkChanges, 2>& changes) {
+                             const std::array<WalkChanges, 2>& changes, bool elsewhere) {
   Soup next(*placed.lattice, *placed.p, *placed.q);
   next.segments = std::move(soup_->segments);
   next.boxes = std::move(soup_->boxes);
   soup_.emplace(std::move(next));
   convolution_ = &after;
-  if (!changes[0].renumbered() && !changes[1].renumbered()) return;
+  if (changes[0].renumbered() || changes[1].renumbered()) rename_indices(changes);
+  if (elsewhere) round_again();
+}
+
+void EditArrangement::rename_indices(const std::array<WalkChanges, 2>& changes) {
   live_.clear();
   for (std::uint32_t s = 0; s < slots_.size(); ++s) {
     if (!slots_[s].alive) continue;
@@ -317,6 +322,44 @@ void EditArrangement::rename(const PlacedPair& placed, const FollowedConvolution
   list_all();
 }
 
+// The numbers of a sum from scratch. The order of events stays, also of those at one position, which names of sub-edges
+// depend on: it is a fact.
+void EditArrangement::round_again() {
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t s = 0; s < slots_.size(); ++s) {
+    if (!slots_[s].alive) continue;
+    soup_->boxes[s] = soup_->box(name(s));
+    for (const Event& e : slots_[s].events)
+      if (!(e.id & kTouchBit) && crossings_[e.id].a == s) ids.push_back(e.id);
+  }
+  std::vector<std::array<std::uint32_t, 2>> list;
+  for (const std::uint32_t id : ids) list.push_back({crossings_[id].a, crossings_[id].b});
+  for (const auto& [k, meetings] : pairs_)
+    for (const std::uint32_t t : meetings.touches)
+      for (const Incidence& at : incident(meetings.pair)) list.push_back({touches_[t].segment, at.segment});
+  Meetings found;
+  CrossingFinder(*soup_, found, &chain_).pairs(list);
+  work_.exact_signs += found.exact_signs;
+  if (found.crossings.size() < ids.size()) throw std::logic_error("EditArrangement: a crossing is gone");
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    Crossing& c = crossings_[ids[k]];
+    const Crossing& again = found.crossings[k];
+    if (again.a != c.a || again.b != c.b) throw std::logic_error("EditArrangement: another crossing");
+    c = again;
+  }
+  for (const Touch& again : found.touches) {
+    const auto at = pairs_.find(key(again.pair));
+    if (at == pairs_.end()) continue;
+    for (const std::uint32_t t : at->second.touches)
+      if (touches_[t].segment == again.segment) touches_[t] = again;
+  }
+  for (std::uint32_t s = 0; s < slots_.size(); ++s)
+    for (Event& e : slots_[s].events) {
+      if (e.id & kTouchBit) e.t = touches_[e.id & ~kTouchBit].t;
+      else e.t = crossings_[e.id].a == s ? crossings_[e.id].ta : crossings_[e.id].tb;
+    }
+}
+
 void EditArrangement::add_missing(const WalkSegment& w) {
   if (find_live(w) == kNone && has_live_cell(soup_->box(w))) add(w);
 }
@@ -326,8 +369,8 @@ void EditArrangement::add_changed(const std::array<WalkChanges, 2>& changes, std
   for (std::uint32_t side = 0; side < 2; ++side) {
     for (const std::uint32_t v : changes[1 - side].new_corners())
       convolution_->for_each_edge_at(side, v, [&](std::uint32_t e) { add_missing({side, e, v}); });
-    for (const std::uint32_t e : changes[side].new_edges())
-      convolution_->for_each_vertex_at(side, e, [&](std::uint32_t v) { add_missing({side, e, v}); });
+    convolution_->for_each_at_edges(side, changes[side].new_edges(),
+                                    [&](std::uint32_t e, std::uint32_t v) { add_missing({side, e, v}); });
   }
   open_cells(uncovered);
   relink();

@@ -62,8 +62,10 @@ class EditArrangement {
 
   /// Takes segments out that the edit does not leave as they were. Requires: the operands and the convolution before.
   void remove_changed(const std::array<WalkChanges, 2>& changes, const FollowedConvolution& after);
-  /// What stays gets its new names, on the new lattice.
-  void rename(const PlacedPair& placed, const FollowedConvolution& after, const std::array<WalkChanges, 2>& changes);
+  /// What stays gets its new names, on the new lattice; and its new numbers, where these are `elsewhere`: the lattice
+  /// begins at another position or spans another length.
+  void rename(const PlacedPair& placed, const FollowedConvolution& after, const std::array<WalkChanges, 2>& changes,
+              bool elsewhere);
   /// Puts new segments in, and segments in cells that are covered no longer, and finds what they meet.
   void add_changed(const std::array<WalkChanges, 2>& changes, std::span<const GridCell> uncovered);
 
@@ -192,6 +194,9 @@ class EditArrangement {
   void open_cells(std::span<const GridCell> cells);
   template <class F>
   void for_each_cell(const SoupBox& b, F&& f) const;
+
+  void rename_indices(const std::array<WalkChanges, 2>& changes);
+  void round_again();
 
   // Events.
   void find_meetings();

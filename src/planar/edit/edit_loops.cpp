@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "planar/boundary/boundary.h"
 
@@ -141,6 +142,7 @@ void EditLoops::close(EditArrangement& arrangement, std::uint32_t id, std::vecto
       undecided.witnesses.push_back(*was->second.cover.edges);
     last_mark = marks[i];
   }
+  cycle.steps = std::move(path);
   undecided_.push_back(std::move(undecided));
 }
 
@@ -215,6 +217,7 @@ void EditLoops::update_nodes(EditArrangement& arrangement) {
 void EditLoops::update(EditArrangement& arrangement, const Changes& changes, const CountedCover& cover,
                        Collision& collision) {
   work_ = {};
+  for (auto& [id, cycle] : cycles_) cycle.steps.clear();  // those that no ring was made of
   if (!changes.all_new) rename(changes.walks);
   break_cycles(arrangement);
   const NewOverlap anew(arrangement.soup().lattice, *arrangement.soup().operands[0], *arrangement.soup().operands[1],
@@ -248,7 +251,8 @@ bool EditLoops::degenerate(EditArrangement& arrangement, const CountedCover& cov
   return false;
 }
 
-std::vector<LiveSubEdge> EditLoops::steps_of(EditArrangement& arrangement, const EditCycle& cycle) const {
+std::vector<LiveSubEdge> EditLoops::steps_of(EditArrangement& arrangement, EditCycle& cycle) const {
+  if (!cycle.steps.empty()) return std::exchange(cycle.steps, {});
   std::vector<LiveSubEdge> steps;
   const LiveSubEdge start = arrangement.sub_from(cycle.sample);
   LiveSubEdge at = start;

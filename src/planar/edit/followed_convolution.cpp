@@ -173,6 +173,15 @@ void FollowedConvolution::follow(const Lattice& lattice, const Operand& p, const
     if (others[side]) list_used(side);
 }
 
+std::vector<std::uint32_t> FollowedConvolution::ranks_in(std::uint32_t list,
+                                                         std::span<const std::uint32_t> edges) const {
+  std::vector<std::uint32_t> ranks;
+  for (const std::uint32_t e : edges)
+    if (holds(*lists_[list], e)) ranks.push_back(lists_[list]->rank[e - lists_[list]->base]);
+  std::sort(ranks.begin(), ranks.end());
+  return ranks;
+}
+
 std::uint64_t FollowedConvolution::order(std::uint32_t side, std::uint32_t edge, std::uint32_t vertex) const {
   const std::uint32_t component = columns_[side] == 1 ? 0 : operands_[side]->component_of[edge];
   const std::size_t row = std::size_t{vertex} * columns_[side] + component;

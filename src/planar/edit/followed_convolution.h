@@ -1,9 +1,11 @@
 // The reduced convolution of operands of which vertices move, kept from step to step.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "planar/convolution/convolution.h"
@@ -41,17 +43,28 @@ class FollowedConvolution : public ReducedConvolution {
       for (std::uint32_t k = 0, at = t.lo; k < t.count; ++k, at = at + 1 == edges.size() ? 0 : at + 1) f(edges[at]);
     }
   }
-  /// Calls f(vertex) for the vertices that meet an edge.
+  /// Calls f(edge, vertex) for the vertices that meet some edges of `side`. O(m log k) for k edges and m vertices, and
+  /// the calls.
   template <class F>
-  void for_each_vertex_at(std::uint32_t side, std::uint32_t edge, F&& f) const {
-    const std::uint32_t columns = columns_[side], c = columns == 1 ? 0 : operands_[side]->component_of[edge];
-    const auto n = static_cast<std::uint32_t>(operands_[1 - side]->size());
-    for (std::uint32_t v = 0; v < n; ++v)
-      if (id(ranges(side)[std::size_t{v} * columns + c], edge) != kNoRank) f(v);
+  void for_each_at_edges(std::uint32_t side, std::span<const std::uint32_t> edges, F&& f) const {
+    std::uint32_t list = kNone;
+    std::vector<std::uint32_t> ranks;  // of the edges in that list
+    for (const std::uint32_t row : used_[side]) {
+      const auto& t = ranges(side)[row];
+      if (std::exchange(list, t.list) != t.list) ranks = ranks_in(t.list, edges);
+      const auto n = static_cast<std::uint32_t>(lists_[list]->edges.size());
+      const auto within = [&](std::uint32_t low, std::uint32_t high) {
+        for (auto at = std::lower_bound(ranks.begin(), ranks.end(), low); at != ranks.end() && *at < high; ++at)
+          f(lists_[list]->edges[*at], vertex_of(side, row));
+      };
+      within(t.lo, std::min(n, t.lo + t.count));
+      if (t.lo + t.count > n) within(0, t.lo + t.count - n);
+    }
   }
 
  private:
   void find_lists();
+  std::vector<std::uint32_t> ranks_in(std::uint32_t list, std::span<const std::uint32_t> edges) const;
   void list_used(std::uint32_t side);
   std::uint32_t bound(std::uint32_t side, std::uint32_t list, std::uint32_t edge) const;
   bool meet_again(std::uint32_t side, std::uint32_t vertex);

@@ -96,7 +96,7 @@ bool EditedSum::can_keep(const PlacedPair& placed, const Step& step) const {
 // Whether what is kept can go on: the numbers of what stays are the same.
 bool EditedSum::comparable(const PlacedPair& placed) const {
   const Lattice &a = *placed_.lattice, &b = *placed.lattice;
-  return a.unit == b.unit && a.exact_doubles == b.exact_doubles && cover_->holds(placed) && same_numbers(placed);
+  return a.unit == b.unit && a.exact_doubles == b.exact_doubles && cover_->holds(placed);
 }
 
 // Whether rounded positions and their errors are those of a sum from scratch.
@@ -297,7 +297,8 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step) {
   follow_convolution(placed, walks, same_holes);
   arrangement_->remove_changed(walks, *convolution_);
   const std::vector<GridCell> uncovered = cover_->update(placed_, placed, walks);
-  arrangement_->rename(placed, *convolution_, walks);
+  const bool elsewhere = !same_numbers(placed);
+  arrangement_->rename(placed, *convolution_, walks, elsewhere);
   arrangement_->add_changed(walks, uncovered);
   filled_ = filled;
   stand_on(std::move(placed), step);
@@ -323,12 +324,14 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step) {
   work_.exact_signs = done.exact_signs + collision.counts().signs.exact();
   FrameChanges out;
   if (!work_.degenerate && !from_scratch) {
+    if (elsewhere) forget_rings();
     out = assemble();
   } else {
     PlanarSum before;
     std::vector<std::uint64_t> ids = ring_ids_;
     if (from_scratch) before = std::exchange(sum_, {});
     else ids = rings_before(before);
+    if (elsewhere) forget_rings();
     // Where a position is passed twice rings are joined anew, and tight features merged: as from scratch.
     if (work_.degenerate) sum_ = placed_sum(placed_, sum_options(false)).value();
     else assemble();
@@ -338,6 +341,11 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step) {
   }
   finish(out, sizes, Sizes(sum_));
   return out;
+}
+
+// The rings of cycles that are as they were are written again.
+void EditedSum::forget_rings() {
+  for (auto& [id, cycle] : loops_->cycles()) cycle.ring.reset();
 }
 
 // The rings of before that cycles have, or had.

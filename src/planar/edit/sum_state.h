@@ -54,6 +54,7 @@ class EditedSum {
   FrameChanges update(PlacedPair placed, const Step& step);
   FrameChanges take_scratch(PlanarSum sum);
   FrameChanges assemble();
+  void forget_rings();
   void take_rings_back(const std::array<WalkChanges, 2>& walks);
   std::vector<std::uint64_t> rings_before(PlanarSum& rings) const;
   SumOptions sum_options(bool asking) const;
