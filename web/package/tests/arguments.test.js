@@ -64,6 +64,10 @@ function* calls() {
   for (const name of ['at', 'ringIds']) yield [family, name, ['3/2']];
   yield [family, 'changes', [1, 2, 'visible']];
   for (const name of ['outer', 'inner']) yield [family, name, [1, 2]];
+  yield [dymsum.EditableSum, 'create', [square, bar, {}]];
+  const edited = dymsum.EditableSum.create(square, bar);
+  yield [edited, 'edit', ['p move 2 3 3']];
+  for (const name of ['region', 'vertexNames']) yield [edited, name, ['q']];
   yield [dymsum.PlanarDepth, 'create', [square, bar]];
   yield [dymsum.PlanarDepth.create(square, bar), 'at', [0, 0]];
   yield [dymsum.CspaceObstacle, 'create', [bar, square, {}]];

@@ -1,6 +1,9 @@
 // EditableSum: sums that follow edits, which come as the lines of a script.
 #include "dymsum/editable_sum.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "arrays.h"
 #include "dymsum/edit_script.h"
 #include "options.h"
@@ -15,7 +18,9 @@ std::shared_ptr<EditableSum> created(const Region& p, const Region& q, const val
   how.semantics = semantics_in(member(options, "semantics"));
   how.reflect_q = member_or(options, "reflectQ", false);
   how.mode = enumerator(member(options, "mode"), FrameMode::automatic);
-  how.undo_steps = static_cast<std::size_t>(member_or(options, "undoSteps", static_cast<double>(how.undo_steps)));
+  const double steps = member_or(options, "undoSteps", static_cast<double>(how.undo_steps));
+  if (!(steps >= 0)) throw std::invalid_argument("a number of steps is not negative");
+  how.undo_steps = static_cast<std::size_t>(std::min(steps, 0x1p31));
   how.progress = progress_in(member(options, "progress"));
   return shared(got(EditableSum::create(p, q, how)));
 }

@@ -6,5 +6,5 @@ export type PageFamily = Omit<ScalingFamily, 'outer' | 'inner'>;
 export type PageModule = Omit<
   Dymsum,
   | 'united' | 'intersection' | 'difference' | 'symmetricDifference' | 'byPlanes' | 'byLines' | 'opening' | 'closing' | 'offset' | 'scaleRange' | 'fitRange'
-  | 'SolidScaleEvents' | 'SolidRotationEvents' | 'SumLocator' | 'LocalSum' | 'PlanarLocalSum' | 'ScalingFamily'
+  | 'SolidScaleEvents' | 'SolidRotationEvents' | 'SumLocator' | 'LocalSum' | 'PlanarLocalSum' | 'EditableSum' | 'ScalingFamily'
 > & { readonly ScalingFamily: { create(...args: Parameters<Dymsum['ScalingFamily']['create']>): PageFamily } };
