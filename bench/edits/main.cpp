@@ -181,6 +181,28 @@ void table(Report& report, const Options& options, const std::string& data, Kind
                  promises.slower_than_fresh.empty());
 }
 
+// The promised pairs in the coordinates of real files.
+void off_grid_table(Report& report, const Options& options, const std::string& data) {
+  report.line("\n## Off the grid\n");
+  report.heading({"pair", "coordinates", "vertices", "from scratch", "fresh ms, median", "step ms, median", "p99",
+                  "fresh / step, median", "mean", "compared, different"});
+  std::vector<std::string> notes;
+  for (const Coordinates kind : kCoordinates)
+    for (const ScalingPair& pair : with_coordinates(edited_pairs(data), kind, notes)) {
+      if (!is_promised(pair.name) || pair.name.find(options.only) == std::string::npos) continue;
+      for (const int vertices : {1, 100}) {
+        const Row row = measure(pair, vertices, options.steps / 2);
+        const Spread edited = spread(row.edited), fresh = spread(row.fresh);
+        report.row({pair.name, name(kind), std::to_string(vertices), std::to_string(row.rebuilt),
+                    fixed(fresh.median, 3), fixed(edited.median, 3), fixed(edited.p99, 3),
+                    "**" + ratio(fresh.median, edited.median, 1) + "**",
+                    "**" + ratio(fresh.mean, edited.mean, 1) + "**",
+                    std::to_string(row.compared) + ", " + std::to_string(row.different)});
+      }
+    }
+  for (const std::string& note : notes) report.line("\n" + note);
+}
+
 Options parse(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; ++i) {
@@ -208,6 +230,7 @@ int run(int argc, char** argv) {
     if (kind) report.line("Coordinates: " + name(*kind) + ".\n");
     if (data.empty()) report.line("No data folder (DYMSUM_DATA): the thesis's polygons are left out.\n");
     table(report, options, data, kind);
+    if (!kind) off_grid_table(report, options, data);
     write_result(KindOptions::folder(options.results, kind), "edits.md", report.markdown.str());
   }
   return 0;
