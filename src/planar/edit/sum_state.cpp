@@ -97,13 +97,14 @@ bool EditedSum::can_keep(const PlacedPair& placed, const Step& step) const {
 // Whether what is kept can go on: the numbers of what stays are the same.
 bool EditedSum::comparable(const PlacedPair& placed) const {
   const Lattice &a = *placed_.lattice, &b = *placed.lattice;
-  return a.unit == b.unit && a.exact_doubles == b.exact_doubles && cover_->holds(placed);
+  return a.unit == b.unit && cover_->holds(placed);
 }
 
 // Whether rounded positions and their errors are those of a sum from scratch.
 bool EditedSum::same_numbers(const PlacedPair& placed) const {
   const Lattice &a = *placed_.lattice, &b = *placed.lattice;
-  return a.span == b.span && a.points[0]->offset == b.points[0]->offset && a.points[1]->offset == b.points[1]->offset;
+  return a.exact_doubles == b.exact_doubles && a.span == b.span && a.points[0]->offset == b.points[0]->offset &&
+         a.points[1]->offset == b.points[1]->offset;
 }
 
 // Per loop and component of the other operand: whether that fills it.
