@@ -377,7 +377,10 @@ Result<Region> edited_region(const Region& before, EditedData edited) {
                      edited.data.parts.size() == before.parts().size() &&
                      std::equal(before.parts().begin(), before.parts().end(), edited.data.parts.begin(),
                                 [](const Part& a, const Part& b) { return a.holes.size() == b.holes.size(); });
-  if (plain && NewEdges(before.data(), edited).proved()) return trusted_region(std::move(edited.data), {});
+  // Where much moved, a sweep over all edges is faster.
+  constexpr std::size_t kSweep = 10;
+  const bool much = edited.changes.moved && edited.changes.moved->size() * kSweep > before.vertex_count();
+  if (plain && !much && NewEdges(before.data(), edited).proved()) return trusted_region(std::move(edited.data), {});
   return Region::create(std::move(edited.data));
 }
 

@@ -17,7 +17,7 @@ namespace {
 // nothing is kept a tenth of each step is put aside for another attempt.
 constexpr double kMaking = 5, kSavedByUpdate = 0.8, kPutAside = 0.1;
 // Edits of more than this fraction of an operand's vertices are made from scratch.
-constexpr double kManyVertices = 0.2;
+constexpr double kManyVertices = 0.1;
 constexpr std::uint64_t kFewSegments = 200, kManySegments = 300000, kSegmentsPerNode = 8;
 
 bool has_only_area(const Region& region) {
@@ -57,11 +57,12 @@ SumOptions EditedSum::sum_options(bool asking) const {
 
 Result<PlacedPair> EditedSum::placed_pair(const Step& step) {
   std::array<std::shared_ptr<const Operand>, 2> own = own_;
+  const bool follows = options_.mode == FrameMode::window || !is_large(step);
   for (std::uint32_t op = 0; op < 2; ++op) {
     if (own[op] != nullptr && step.changes[op] == nullptr) continue;
     const Region& region = *step.regions[op];
     // Where an edit makes rings touch, edges are cut.
-    if (own[op] != nullptr && step.changes[op]->moved && !touching_[op] && region.touching_points().empty())
+    if (follows && own[op] != nullptr && step.changes[op]->moved && !touching_[op] && region.touching_points().empty())
       if (auto moved = steps_[op].next(own[op], region, *step.changes[op]->moved)) {
         own[op] = std::move(moved);
         continue;
@@ -96,13 +97,14 @@ bool EditedSum::can_keep(const PlacedPair& placed, const Step& step) const {
 // Whether what is kept can go on: the numbers of what stays are the same.
 bool EditedSum::comparable(const PlacedPair& placed) const {
   const Lattice &a = *placed_.lattice, &b = *placed.lattice;
-  return a.unit == b.unit && a.exact_doubles == b.exact_doubles && cover_->holds(placed);
+  return a.unit == b.unit && cover_->holds(placed);
 }
 
 // Whether rounded positions and their errors are those of a sum from scratch.
 bool EditedSum::same_numbers(const PlacedPair& placed) const {
   const Lattice &a = *placed_.lattice, &b = *placed.lattice;
-  return a.span == b.span && a.points[0]->offset == b.points[0]->offset && a.points[1]->offset == b.points[1]->offset;
+  return a.exact_doubles == b.exact_doubles && a.span == b.span && a.points[0]->offset == b.points[0]->offset &&
+         a.points[1]->offset == b.points[1]->offset;
 }
 
 // Per loop and component of the other operand: whether that fills it.

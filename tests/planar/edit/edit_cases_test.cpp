@@ -244,6 +244,26 @@ TEST(EditCases, vertices_come_and_go_on_lines) {
   EXPECT_EQ(compared(sum), "");
 }
 
+TEST(EditCases, an_extreme_vertex_moves_by_an_update) {
+  EditableSum sum =
+      EditableSum::create(shapes::noisy_star(60, 0.3, 1), shapes::noisy_star(40, 0.5, 2), updates()).value();
+  std::uint32_t leftmost = 0;
+  for (std::uint32_t v = 0; v < 60; ++v)
+    if (vertex_at(sum.p(), v).x < vertex_at(sum.p(), leftmost).x) leftmost = v;
+  const Point at = vertex_at(sum.p(), leftmost);
+  for (const double by : {0.01, -0.02, 0.03}) {
+    ASSERT_TRUE(sum.edit(Edit::move(kP, leftmost, {at.x + by, at.y})).ok());
+    EXPECT_FALSE(sum.work().rebuilt);
+    EXPECT_EQ(difference(sum.sum(), fresh_sum(sum.p(), sum.q(), updates()), true), "");
+  }
+  const PlanarSum held = sum.sum();  // what refers to operands keeps them as they were
+  const PlanarSum fresh = fresh_sum(sum.p(), sum.q(), updates());
+  for (int k = 0; k < 4; ++k) ASSERT_TRUE(sum.edit(Edit::move(kP, leftmost, {at.x + 0.01 * k, at.y})).ok());
+  EXPECT_EQ(held, fresh);
+  for (std::size_t i = 0; i < held.parts[0].outer.vertices.size(); ++i)
+    EXPECT_EQ(held.exact(held.parts[0].outer.vertices[i]), fresh.exact(fresh.parts[0].outer.vertices[i]));
+}
+
 TEST(EditCases, names_of_vertices_last) {
   EditableSum sum = tongue(3);
   const std::vector<std::uint64_t> before = sum.vertex_names(kP);
