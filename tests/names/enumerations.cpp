@@ -23,6 +23,7 @@
 #include "dymsum/scaling_sum.h"
 #include "dymsum/set_check.h"
 #include "dymsum/solid_erosion.h"
+#include "dymsum/solid_family.h"
 #include "dymsum/solid_offset.h"
 #include "dymsum/spatial_trace.h"
 
@@ -83,6 +84,7 @@ std::vector<Enumerators> enumerations() {
           of<RingChange::Kind>("Kind"),
           of<ScaleContact::Kind>("Kind"),
           of<Semantics>("Semantics"),
+          of<SolidFamilyFeature>("SolidFamilyFeature"),
           of<SolidFeature::Kind>("Kind"),
           of<SpatialEngine>("SpatialEngine"),
           of<SpatialTrace::Facet::Kind>("Kind"),
