@@ -165,7 +165,7 @@ class Placer {
 
  private:
   // Where facets overlap in one plane a vertex may be named by a plane through a facet edge along an axis of
-  // coordinates, which does not turn with the operands: in a few poses of a cell it is none, or crosses the others
+  // coordinates, which does not rotate with the operands: in a few poses of a cell it is none, or crosses the others
   // nowhere alone.
   static bool is_upright(const PlaneSource& plane) { return plane.v.of == DirectionSource::Of::axis; }
   bool is_upright(std::uint32_t plane) const { return is_upright(structure_.planes[plane]); }
