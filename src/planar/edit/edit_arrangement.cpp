@@ -369,9 +369,8 @@ void EditArrangement::add_changed(const std::array<WalkChanges, 2>& changes, std
   for (std::uint32_t side = 0; side < 2; ++side) {
     for (const std::uint32_t v : changes[1 - side].new_corners())
       convolution_->for_each_edge_at(side, v, [&](std::uint32_t e) { add_missing({side, e, v}); });
-    convolution_->for_each_at_edges(side, changes[side].new_edges(), [&](std::uint32_t e, std::uint32_t v) {
-      add_missing({side, e, v});
-    });
+    convolution_->for_each_at_edges(side, changes[side].new_edges(),
+                                    [&](std::uint32_t e, std::uint32_t v) { add_missing({side, e, v}); });
   }
   open_cells(uncovered);
   relink();
