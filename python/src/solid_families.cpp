@@ -130,8 +130,8 @@ void bind_scaling_family(nb::module_& m) {
 >>> family = SolidScalingFamily(ell, solids.box(0, 0, 0, 1, 1, 1), 1, 4)
 >>> family.changes(1, 4), family.at(2).shells
 ([], 1)
->>> family.volume_polynomial(2)[3] == ell.volume_exact()
-True
+>>> family.volume_polynomial(2)[3]
+Fraction(4, 1)
 )doc");
   type.def(
           "__init__",
