@@ -25,6 +25,7 @@
 #include "dymsum/scaling_sum.h"
 #include "dymsum/set_check.h"
 #include "dymsum/solid_erosion.h"
+#include "dymsum/solid_family.h"
 #include "dymsum/solid_offset.h"
 #include "dymsum/spatial_trace.h"
 
@@ -87,6 +88,7 @@ std::vector<Enumerators> enumerations() {
           of<ScriptAction>("ScriptAction"),
           of<Semantics>("Semantics"),
           of<SolidEditKind>("SolidEditKind"),
+          of<SolidFamilyFeature>("SolidFamilyFeature"),
           of<SolidFeature::Kind>("Kind"),
           of<SpatialEngine>("SpatialEngine"),
           of<SpatialTrace::Facet::Kind>("Kind"),

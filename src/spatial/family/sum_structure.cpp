@@ -146,8 +146,12 @@ class Placer {
       : structure_(structure), space_(std::move(space)) {}
 
   std::optional<SpatialSum> run() {
+    if (!std::all_of(structure_.planes.begin(), structure_.planes.end(), [&](const auto& p) { return is_plane(p); }))
+      return std::nullopt;
     space_->add_planes(structure_.planes);
     space_->add_edges(structure_.edges);
+    for (const PointSource& v : structure_.vertices)
+      if (!is_point(v)) return std::nullopt;
     for (const SumStructure::TightFace& face : structure_.tight_faces)
       if (is_turned_over(face)) return std::nullopt;
     sum_.stats.bits = space_->bits();
@@ -160,6 +164,25 @@ class Placer {
   }
 
  private:
+  // Where facets overlap in one plane a vertex may be named by a plane through a facet edge along an axis of
+  // coordinates, which does not rotate with the operands: in a few poses of a cell it is none, or crosses the others
+  // nowhere alone.
+  static bool is_upright(const PlaneSource& plane) { return plane.v.of == DirectionSource::Of::axis; }
+  bool is_upright(std::uint32_t plane) const { return is_upright(structure_.planes[plane]); }
+
+  bool is_plane(const PlaneSource& plane) const {
+    if (!is_upright(plane)) return true;
+    bool any = false;
+    for (int axis = 0; axis < 3; ++axis) any = any || space_->exact_normal(plane, axis) != 0;
+    return any;
+  }
+  bool is_point(const PointSource& v) const {
+    if (v.kind == Kind::edge && is_upright(v.b)) return space_->exact_rise(v.b, space_->edges()[v.a]) != 0;
+    if (v.kind == Kind::planes && (is_upright(v.a) || is_upright(v.b) || is_upright(v.c)))
+      return space_->exact_det(v.a, v.b, v.c) != 0;
+    return true;
+  }
+
   void add_vertices() {
     const std::size_t n = structure_.vertices.size();
     PlacedVertices placed{structure_.vertices, {}};

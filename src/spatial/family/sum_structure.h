@@ -65,8 +65,8 @@ SumStructure structure_of(const SpatialSum& sum, CornerContacts corners);
 
 /// The sum with this structure in the space of the operands at a pose, which gets the planes and edges of the
 /// structure. Exact, in canonical order, where the sum at the pose has this structure; else a surface of these planes,
-/// whose signed volume is well defined. Nothing where a tight face is seen from its other side there: what touches
-/// beside its edges then is not kept.
+/// whose signed volume is well defined. Nothing where a tight face is seen from its other side there, as what touches
+/// beside its edges then is not kept, and in the few poses at which what names a vertex has no one point in common.
 std::optional<SpatialSum> placed(const SumStructure& structure, PosedSpace space);
 
 }  // namespace dymsum::spatial

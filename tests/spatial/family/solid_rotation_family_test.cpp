@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "dymsum/solids.h"
 #include "exact/big.h"
@@ -130,6 +132,29 @@ TEST(SolidRotationFamily, AWholeTurnOfACubeInACube) {
   EXPECT_EQ(family.at(AxisTurn::of(*Rational::of(1, 3))).value().faces.size(), 10u);
   EXPECT_EQ(family.next(AxisTurn::of(*Rational::of(1, 3)))->parameter.exact, AxisTurn::of(1));
   EXPECT_FALSE(family.next(AxisTurn::half_turn()));
+}
+
+/// Turned about z by the angle with this cosine and sine, times the denominator of these.
+Mesh turned_about_z(MeshData mesh, double cosine, double sine) {
+  for (Point3& v : mesh.vertices) v = {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
+  return moving_cases::mesh_of(mesh);
+}
+
+/// Walls of P are along the axes of coordinates at t = -1/3 and 1/2, where nothing happens, as Q's are not.
+TEST(SolidRotationFamily, NothingHappensWhereWallsAreAlongTheAxes) {
+  const Mesh p = turned_about_z(ell(), 4, 3), q = turned_about_z(ell(), 12, 5);
+  for (const auto& [low, at, high] : {std::array{"-3/8", "-1/3", "-5/16"}, std::array{"31/64", "1/2", "33/64"}}) {
+    const auto angle = [](const std::string& t) { return AxisTurn::of(Rational::parse(t).value()); };
+    const SolidRotationFamily family = SolidRotationFamily::create(p, q, {0, 0, 1}, angle(low), angle(high)).value();
+    const SolidRotationEvents scratch = SolidRotationEvents::create(p, q, {0, 0, 1}).value();
+    const SolidFamilyLocation cell = family.locate(angle(at));
+    EXPECT_FALSE(cell.event);
+    for (const std::string by : {"1/100000", "-1/100000", "1/1000000", "0"}) {
+      const AxisTurn theta = AxisTurn::of(angle(at).t() + Rational::parse(by).value());
+      EXPECT_EQ(family.locate(theta), cell);
+      expect_same_set(family.at(theta).value(), scratch.at(theta).value(), std::string(at) + " + " + by);
+    }
+  }
 }
 
 TEST(SolidRotationFamily, AnglesBesideAHalfTurnAreToldExactly) {
