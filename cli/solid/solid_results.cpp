@@ -48,17 +48,23 @@ SolidInput result_operand(const std::string& file, const InputOptions& options) 
 void refuse_fractions(const std::vector<SolidInput>& inputs, bool quiet) {
   for (const SolidInput& input : inputs) {
     if (input.fractions)
-      throw Stop(kBadInput, shown_file(input.file) +
-                                (input.notes.contains("planes")
-                                     ? ": by its planes, the vertices of this solid are fractions, which "
-                                     : ": the vertices of this exact result are fractions, which ") +
-                                "sum, nfp, erode, opening, closing, offset, union, intersect, subtract, contains, "
-                                "info, convert and check take; others take it in doubles, as dymsum convert FILE.json "
-                                "FILE.off writes it");
-    if (input.result && !quiet)
+      throw Stop(
+          kBadInput,
+          shown_file(input.file) +
+              (input.notes.contains("planes") ? ": by its planes, the vertices of this solid are fractions, which "
+                                              : ": the vertices of this exact result are fractions, which ") +
+              "sum, nfp, erode, opening, closing, offset, union, intersect, subtract, contains, "
+              "depth, slice, info, convert and check take; others take it in doubles, as dymsum convert FILE.json "
+              "FILE.off writes it");
+  }
+  report_left_out(inputs, quiet);
+}
+
+void report_left_out(const std::vector<SolidInput>& inputs, bool quiet) {
+  for (const SolidInput& input : inputs)
+    if (!quiet && input.result && tight_features(*input.result) > 0)
       std::cerr << shown_file(input.file) << ": " << counted(tight_features(*input.result), "tight feature")
                 << " left out: an operand here is the solid\n";
-  }
 }
 
 }  // namespace dymsum::cli

@@ -22,5 +22,7 @@ SolidInput result_operand(const std::string& file, const InputOptions& options);
 /// For verbs that take solids in doubles. Stops where an input is a result that no doubles hold, and says what takes it
 /// and what writes it in doubles; says what is left out where something is tight.
 void refuse_fractions(const std::vector<SolidInput>& inputs, bool quiet);
+/// Says, unless it is to be quiet, which results have tight features, for verbs that leave them out.
+void report_left_out(const std::vector<SolidInput>& inputs, bool quiet);
 
 }  // namespace dymsum::cli

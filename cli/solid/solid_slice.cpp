@@ -11,6 +11,7 @@
 #include "report.h"
 #include "solid/solid_limits.h"
 #include "solid/solid_outputs.h"
+#include "solid/solid_results.h"
 #include "timing.h"
 
 namespace dymsum::cli {
@@ -92,6 +93,12 @@ void print_text(std::ostream& out, const std::vector<SolidInput>& inputs, const 
       << tier_name(solid_tier(slice.stats.bits)) << " coordinates\n";
 }
 
+SolidInput negated_input(SolidInput input) {
+  input.mesh = negated(input.mesh);
+  if (input.result) input.result = negated(*input.result);
+  return input;
+}
+
 }  // namespace
 
 ExitCode run_solid_slice(const SumCommand& command, double z, bool reflected) {
@@ -103,15 +110,16 @@ ExitCode run_solid_slice(const SumCommand& command, double z, bool reflected) {
   check_outputs(command.output);
   if (!writes_rounded(command.output))
     refuse_options(*command.parser, {"--round-repair"}, "belongs to -o FILE.wkt, .poly or .geojson");
-  const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
-  const Mesh q = reflected ? negated(inputs[1].mesh) : inputs[1].mesh;
+  const std::vector<SolidInput> inputs = read_solids_and_results(command.operands, command.input);
+  report_left_out(inputs, command.input.quiet);
+  const SolidInput q = reflected ? negated_input(inputs[1]) : inputs[1];
   const InterruptGuard guard;
   std::optional<ProgressBar> bar(std::in_place);
   SpatialOptions options;
   options.progress = bar->callback();
   options.memory = memory_bytes(command.memory_mb);
   const auto [slice, timing] = timed(command.report.repeat, [&] {
-    Result<SolidSlice> made = slice_of_sum(inputs[0].mesh, q, z, options);
+    Result<SolidSlice> made = slice_of_sum(inputs[0].operand(), q.operand(), z, options);
     throw_if_interrupted();
     if (!made) stop_with(in_solid_operand(made.error(), inputs));
     return *std::move(made);

@@ -98,8 +98,14 @@ std::string bounds_text(const SolidDistance& d) {
   return "the time was over: " + what + " is at least " + Json(d.at_least).dump() + "\n";
 }
 
+/// None of fractions.
+int tier_of_solids(const std::vector<SolidInput>& inputs) {
+  const bool fractions = inputs[0].fractions || inputs[1].fractions;
+  return fractions ? 0 : tier_of(inputs[0].mesh, inputs[1].mesh);
+}
+
 SolidDepth depth_of(const std::vector<SolidInput>& inputs) {
-  Result<SolidDepth> made = SolidDepth::create(inputs[0].mesh, inputs[1].mesh);
+  Result<SolidDepth> made = SolidDepth::create(inputs[0].operand(), inputs[1].operand());
   if (made) return *std::move(made);
   Error error = made.error();
   const bool convex = !convexity_error(inputs[0].mesh) && !convexity_error(inputs[1].mesh);
@@ -133,8 +139,8 @@ ExitCode run_rows(const DepthCommand& command, const std::vector<SolidInput>& in
     text << "): ";
     text << (rows[k].complete ? depth_text(rows[k], inputs[0].file, inputs[1].file) : bounds_text(rows[k]));
   }
-  print_depth(command, solid_inputs_json(inputs), tier_of(inputs[0].mesh, inputs[1].mesh), timing,
-              {{"rows", std::move(list)}}, text.str());
+  print_depth(command, solid_inputs_json(inputs), tier_of_solids(inputs), timing, {{"rows", std::move(list)}},
+              text.str());
   return kDone;
 }
 
@@ -143,10 +149,9 @@ ExitCode run_solids(const DepthCommand& command) {
   const RationalPoint3 moved = vector_of_option(command.moved, "--move"),
                        along = vector_of_option(command.along, "--along");
   if (!command.along.empty() && along == RationalPoint3{}) throw Stop(kUsage, "--along wants a direction, not 0,0,0");
-  const std::vector<SolidInput> inputs = read_solids(command.operands, command.input);
+  const std::vector<SolidInput> inputs = read_solids_and_results(command.operands, command.input);
   if (!command.at_file.empty()) return run_rows(command, inputs);
   const InterruptGuard guard;
-  const Mesh &p = inputs[0].mesh, &q = inputs[1].mesh;
   std::optional<Rational> exit;
   const auto [distance, timing] = timed(command.report.repeat, [&] {
     SolidDepth pair = depth_of(inputs);
@@ -159,7 +164,7 @@ ExitCode run_solids(const DepthCommand& command) {
     found["along"] = exit->to_double(), found["along_exact"] = exit->to_string();
     text += "  free after " + Json(exit->to_double()).dump() + " times (" + command.along + ")\n";
   }
-  print_depth(command, solid_inputs_json(inputs), tier_of(p, q), timing, found, text);
+  print_depth(command, solid_inputs_json(inputs), tier_of_solids(inputs), timing, found, text);
   if (!distance.complete) return kUndecided;
   return distance.meeting == Meeting::overlapping ? kDone : kNo;
 }

@@ -16,6 +16,7 @@
 #include "dymsum/rational.h"
 #include "dymsum/region.h"
 #include "dymsum/result.h"
+#include "dymsum/spatial_operand.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum {
@@ -88,8 +89,9 @@ class SolidDepth {
  public:
   /// Cost: the facets of the reduced convolution of P and -Q (boundary: their exact sum). Errors: no_area for an empty
   /// operand; unsupported_operand for thin parts of both, and for coordinates that need more than 8,192 bits on their
-  /// common grid; cancelled.
-  static Result<SolidDepth> create(const Mesh& p, const Mesh& q, const DepthOptions& options = {});
+  /// common grid; cancelled. Results that no doubles hold are closed sets, as operands of sums are; their exact sum is
+  /// made, contacts are not listed, and a time limit does not count.
+  static Result<SolidDepth> create(const SpatialOperand& p, const SpatialOperand& q, const DepthOptions& options = {});
 
   SolidDepth(const SolidDepth& other);
   SolidDepth& operator=(const SolidDepth& other);

@@ -6,6 +6,7 @@
 #include "dymsum/mesh.h"
 #include "dymsum/planar_sum.h"
 #include "dymsum/result.h"
+#include "dymsum/spatial_operand.h"
 #include "dymsum/spatial_sum.h"
 
 namespace dymsum {
@@ -33,7 +34,9 @@ struct SolidSlice {
 /// plane runs through vertices, along edges or along faces of the sum, too. Cost: finding the facets of the reduced
 /// convolution, and an arrangement of those that meet the plane in it: O(N + k log k + T) for N facets, k that meet it
 /// and T of their crossings there, and collision tests for cells that no facet proves to be covered.
-/// Errors: not_finite for z, else as minkowski_sum.
-Result<SolidSlice> slice_of_sum(const Mesh& p, const Mesh& q, double z, const SpatialOptions& options = {});
+/// Of results the regular part counts, whatever fractions its vertices are. Errors: not_finite for z, else as
+/// minkowski_sum.
+Result<SolidSlice> slice_of_sum(const SpatialOperand& p, const SpatialOperand& q, double z,
+                                const SpatialOptions& options = {});
 
 }  // namespace dymsum

@@ -7,6 +7,7 @@
 #include "enumeration.h"
 #include "held.h"
 #include "record.h"
+#include "spatial_operand.h"
 
 #include <span>
 #include <stdexcept>
@@ -25,12 +26,12 @@ const auto& finite(const Position<K>& position) {
 
 /// A SolidDepth and what it is made of again.
 struct Depth {
-  Depth(const MeshArgument& p_of, const MeshArgument& q_of, const DepthOptions& o)
+  Depth(const SpatialOperandArgument& p_of, const SpatialOperandArgument& q_of, const DepthOptions& o)
       : p(p_of.object), q(q_of.object), options(o), held(create(*p_of, *q_of, o)) {
     options.progress = {};
   }
 
-  static SolidDepth create(const Mesh& p, const Mesh& q, const DepthOptions& o) {
+  static SolidDepth create(const SpatialOperand& p, const SpatialOperand& q, const DepthOptions& o) {
     return run_with(o, [&](const DepthOptions& own) { return SolidDepth::create(p, q, own); });
   }
   SolidDistance at(const Position<3>& moved, double time_limit) {
@@ -113,9 +114,8 @@ Fraction(2, 1)
 )doc");
   type.def(
           "__init__",
-          [](Depth* self, const MeshArgument& p, const MeshArgument& q, const DepthOptions& options) {
-            new (self) Depth(p, q, options);
-          },
+          [](Depth* self, const SpatialOperandArgument& p, const SpatialOperandArgument& q,
+             const DepthOptions& options) { new (self) Depth(p, q, options); },
           "p"_a, "q"_a, "options"_a = DepthOptions(),
           "Raises Error: no_area for an empty operand; unsupported_operand for thin parts of both and coordinates that "
           "need "
@@ -123,7 +123,7 @@ Fraction(2, 1)
           "than 250 bits on their common grid; out_of_range; cancelled.")
       .def_static(
           "create",
-          [](const MeshArgument& p, const MeshArgument& q, const DepthOptions& options) {
+          [](const SpatialOperandArgument& p, const SpatialOperandArgument& q, const DepthOptions& options) {
             return new Depth(p, q, options);
           },
           nb::rv_policy::take_ownership, "p"_a, "q"_a, "options"_a = DepthOptions())

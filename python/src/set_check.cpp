@@ -35,7 +35,7 @@ void bind_set_records(nb::module_& m) {
            "right: no position of either set is further than this from the other one.");
   Record<SolidExcess>(m, "SolidExcess", "The same of solids.")
       .field("set", &SolidExcess::set, "A SpatialSum, exact.")
-      .field("at", &SolidExcess::at, "The furthest vertex of it.")
+      .field("at", &SolidExcess::at, "A furthest position of it.")
       .field("nearest", &SolidExcess::nearest, "The nearest position of the other solid.")
       .field("squared", &SolidExcess::squared, "The exact square of the distance of these two.")
       .field("distance", &SolidExcess::distance)

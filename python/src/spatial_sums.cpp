@@ -180,11 +180,11 @@ void bind_slice(nb::module_& m) {
       .field("stats", &SolidSlice::stats);
   m.def(
       "slice_of_sum",
-      [](const MeshArgument& p, const MeshArgument& q, double z, const SpatialOptions& options) {
+      [](const SpatialOperandArgument& p, const SpatialOperandArgument& q, double z, const SpatialOptions& options) {
         return run_with(options, [&](const SpatialOptions& own) { return slice_of_sum(*p, *q, z, own); });
       },
       "p"_a, "q"_a, "z"_a, "options"_a = SpatialOptions(),
-      R"doc(One height of a sum of solids. Raises Error: not_finite.
+      R"doc(One height of a sum of solids, or of results of them. Raises Error: not_finite.
 
 >>> from dymsum import area, slice_of_sum, solids
 >>> box = solids.box(0, 0, 0, 1, 2, 3)

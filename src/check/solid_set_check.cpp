@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/poll.h"
+#include "check/farthest_in_solid.h"
 #include "check/triangle_distance.h"
 #include "check/within.h"
 #include "dymsum/set_check.h"
@@ -46,113 +47,16 @@ Result<SpatialSum> exact_difference(const ExactSet& a, const ExactSet& b, const 
   return spatial::solid_inside(all, {1, false, false}, options);
 }
 
-class FarthestVertex {
- public:
-  FarthestVertex(const SpatialSum& set, const CheckedSolid& other) : set_(set), other_(other) {
-    for (const auto* vertices : {&other.set.set.vertices, &set.vertices})
-      for (const Point3& v : *vertices) reach_ = std::max({reach_, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  }
+/// The largest coordinate.
+double reach_of(std::span<const Point3> vertices) {
+  double reach = 0;
+  for (const Point3& v : vertices) reach = std::max({reach, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return reach;
+}
 
-  void run(SolidExcess& excess, const Poll& poll) {
-    std::vector<std::vector<std::uint32_t>> pieces = vertices_of_shells();
-    std::optional<check::TriangleNearest> furthest;
-    for (const std::vector<std::uint32_t>& piece : pieces)
-      for (const std::uint32_t v : piece) {
-        poll.at_test(v, set_.vertices.size());
-        check::TriangleNearest nearest = nearest_of(v);
-        if (furthest && nearest.squared <= furthest->squared) continue;
-        furthest = std::move(nearest);
-        excess.at = set_.exact(v);
-      }
-    const auto rational = [](const BigRational& v) { return exact::to_rational(v); };
-    excess.squared = rational(furthest->squared);
-    excess.nearest = {rational(furthest->at[0]), rational(furthest->at[1]), rational(furthest->at[2])};
-    excess.distance = excess.at_most = exact::root_to_double(furthest->squared);
-    if (other_.convex) return;  // the distance from a convex solid is convex
-    for (const std::vector<std::uint32_t>& piece : pieces) {
-      const BigRational bound = bound_of(piece);
-      if (bound <= furthest->squared) continue;
-      excess.exact = false;
-      excess.at_most = std::max(excess.at_most, std::nextafter(exact::root_to_double(bound), kFar));
-    }
-  }
-
- private:
-  std::vector<std::vector<std::uint32_t>> vertices_of_shells() const {
-    std::vector<std::vector<std::uint32_t>> of(set_.shells);
-    for (const SpatialFace& face : set_.faces)
-      for (const auto& loop : face.loops) of[face.shell].insert(of[face.shell].end(), loop.begin(), loop.end());
-    for (auto& vertices : of) {
-      std::sort(vertices.begin(), vertices.end());
-      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    }
-    return of;
-  }
-
-  RationalVector exact_vertex(std::uint32_t v) const {
-    const RationalPoint3 p = set_.exact(v);
-    return {exact::exact_value(p.x), exact::exact_value(p.y), exact::exact_value(p.z)};
-  }
-  ExactTriangle triangle(std::size_t face) const {
-    const Face& f = other_.set.set.faces[face];
-    return {other_.set.at[f[0]], other_.set.at[f[1]], other_.set.at[f[2]]};
-  }
-
-  /// The triangles that doubles do not prove to be further away than the nearest one.
-  std::vector<std::size_t> near_faces(std::uint32_t v) const {
-    const MeshData& mesh = other_.set.set;
-    std::vector<double> rough;
-    double least = kFar;
-    for (const Face& f : mesh.faces) {
-      rough.push_back(
-          check::rough_distance(set_.vertices[v], {mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]}));
-      if (rough.back() < least) least = rough.back();
-    }
-    const double slack = check::kRoughDistance * reach_;
-    std::vector<std::size_t> near;
-    for (std::size_t f = 0; f < rough.size(); ++f)
-      if (!(rough[f] > least + slack)) near.push_back(f);
-    return near;
-  }
-
-  check::TriangleNearest nearest_of(std::uint32_t v) const {
-    const RationalVector p = exact_vertex(v);
-    std::optional<check::TriangleNearest> best;
-    for (const std::size_t f : near_faces(v)) {
-      check::TriangleNearest next = check::nearest_on(p, triangle(f));
-      if (!best || next.squared < best->squared) best = std::move(next);
-    }
-    return *std::move(best);
-  }
-
-  /// The least, over the triangles that are near the piece, of the distance of its furthest vertex: the distance from a
-  /// triangle is convex.
-  BigRational bound_of(const std::vector<std::uint32_t>& piece) const {
-    constexpr std::size_t kMostFaces = 64;
-    std::vector<std::size_t> faces;
-    for (const std::uint32_t v : piece) {
-      if (faces.size() > kMostFaces) break;
-      const std::vector<std::size_t> near = near_faces(v);
-      faces.insert(faces.end(), near.begin(), near.end());
-    }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    std::optional<BigRational> bound;
-    for (const std::size_t f : faces) {
-      BigRational most = 0;
-      for (const std::uint32_t v : piece) {
-        most = std::max(most, check::nearest_on(exact_vertex(v), triangle(f)).squared);
-        if (bound && most >= *bound) break;
-      }
-      if (!bound || most < *bound) bound = std::move(most);
-    }
-    return *std::move(bound);
-  }
-
-  const SpatialSum& set_;
-  const CheckedSolid& other_;
-  double reach_ = 0;
-};
+RationalPoint3 rational_point(const RationalVector& v) {
+  return {exact::to_rational(v[0]), exact::to_rational(v[1]), exact::to_rational(v[2])};
+}
 
 /// What lies in a and not in b, and how far it is from the boundary of `from`, where `convex` says that this distance
 /// is.
@@ -168,7 +72,14 @@ Result<SolidExcess> excess_of(const CheckedSolid& a, const CheckedSolid& b, cons
     excess.at = excess.set.exact(0);
     return excess;
   }
-  FarthestVertex(excess.set, from).run(excess, poll);
+  const check::NearTriangles triangles(from.set, reach_of(excess.set.vertices));
+  const check::FarthestInSolid farthest = check::farthest_in_solid(excess.set, triangles, from.convex, poll);
+  excess.at = rational_point(farthest.at);
+  excess.nearest = rational_point(farthest.nearest.at);
+  excess.squared = exact::to_rational(farthest.nearest.squared);
+  excess.distance = exact::root_to_double(farthest.nearest.squared);
+  excess.exact = farthest.exact;
+  excess.at_most = farthest.exact ? excess.distance : farthest.at_most;
   return excess;
 }
 
@@ -298,10 +209,6 @@ class NearestPair {
   double reach_ = 0;
   std::optional<SolidGap> best_;
 };
-
-RationalPoint3 rational_point(const RationalVector& v) {
-  return {exact::to_rational(v[0]), exact::to_rational(v[1]), exact::to_rational(v[2])};
-}
 
 }  // namespace
 

@@ -11,25 +11,18 @@ namespace {
 
 using exact::BigRational;
 
-RationalVector minus(const RationalVector& a, const RationalVector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-BigRational dot(const RationalVector& a, const RationalVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-RationalVector cross(const RationalVector& a, const RationalVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 RationalVector along(const RationalVector& a, const RationalVector& d, const BigRational& t) {
   return {a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]};
 }
 
 TriangleNearest nearest_of(const RationalVector& p, const RationalVector& at) {
-  const RationalVector d = minus(p, at);
-  return {dot(d, d), at};
+  const RationalVector d = minus_of(p, at);
+  return {dot_of(d, d), at};
 }
 
 TriangleNearest nearest_on_segment(const RationalVector& p, const RationalVector& a, const RationalVector& b) {
-  const RationalVector d = minus(b, a);
-  const BigRational t = dot(minus(p, a), d), length = dot(d, d);
+  const RationalVector d = minus_of(b, a);
+  const BigRational t = dot_of(minus_of(p, a), d), length = dot_of(d, d);
   if (t <= 0) return nearest_of(p, a);
   if (t >= length) return nearest_of(p, b);
   return nearest_of(p, along(a, d, BigRational(t / length)));
@@ -44,11 +37,23 @@ double rough_segment(const Point3& a, const Point3& b) {
 
 }  // namespace
 
+RationalVector minus_of(const RationalVector& a, const RationalVector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+exact::BigRational dot_of(const RationalVector& a, const RationalVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+RationalVector cross_of(const RationalVector& a, const RationalVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+RationalVector normal_of(const ExactTriangle& t) { return cross_of(minus_of(t[1], t[0]), minus_of(t[2], t[0])); }
+
 TriangleNearest nearest_on(const RationalVector& p, const ExactTriangle& t) {
-  const RationalVector n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
+  const RationalVector n = normal_of(t);
   bool above = true;
-  for (std::size_t k = 0; k < 3 && above; ++k) above = dot(cross(minus(t[(k + 1) % 3], t[k]), minus(p, t[k])), n) >= 0;
-  if (above) return nearest_of(p, along(p, n, BigRational(-dot(minus(p, t[0]), n) / dot(n, n))));
+  for (std::size_t k = 0; k < 3 && above; ++k)
+    above = dot_of(cross_of(minus_of(t[(k + 1) % 3], t[k]), minus_of(p, t[k])), n) >= 0;
+  if (above) return nearest_of(p, along(p, n, BigRational(-dot_of(minus_of(p, t[0]), n) / dot_of(n, n))));
   std::optional<TriangleNearest> best;
   for (std::size_t k = 0; k < 3; ++k) {
     TriangleNearest next = nearest_on_segment(p, t[k], t[(k + 1) % 3]);
@@ -59,16 +64,16 @@ TriangleNearest nearest_on(const RationalVector& p, const ExactTriangle& t) {
 
 std::optional<SegmentsNearest> nearest_inside(const RationalVector& a0, const RationalVector& a1,
                                               const RationalVector& b0, const RationalVector& b1) {
-  const RationalVector u = minus(a1, a0), v = minus(b1, b0), w = minus(b0, a0);
-  const BigRational uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
+  const RationalVector u = minus_of(a1, a0), v = minus_of(b1, b0), w = minus_of(b0, a0);
+  const BigRational uu = dot_of(u, u), uv = dot_of(u, v), vv = dot_of(v, v), uw = dot_of(u, w), vw = dot_of(v, w);
   const BigRational area = uu * vv - uv * uv;
   if (area == 0) return std::nullopt;
   // s along a and t along b: the connection is at right angles to both.
   const BigRational s = (uw * vv - uv * vw) / area, t = (uv * uw - uu * vw) / area;
   if (s <= 0 || s >= 1 || t <= 0 || t >= 1) return std::nullopt;
   SegmentsNearest nearest{0, along(a0, u, s), along(b0, v, t)};
-  const RationalVector d = minus(nearest.of_b, nearest.of_a);
-  nearest.squared = dot(d, d);
+  const RationalVector d = minus_of(nearest.of_b, nearest.of_a);
+  nearest.squared = dot_of(d, d);
   return nearest;
 }
 

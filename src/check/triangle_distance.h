@@ -12,6 +12,12 @@ namespace dymsum::check {
 using RationalVector = std::array<exact::BigRational, 3>;
 using ExactTriangle = std::array<RationalVector, 3>;
 
+RationalVector minus_of(const RationalVector& a, const RationalVector& b);
+exact::BigRational dot_of(const RationalVector& a, const RationalVector& b);
+RationalVector cross_of(const RationalVector& a, const RationalVector& b);
+/// At right angles to the triangle.
+RationalVector normal_of(const ExactTriangle& t);
+
 /// The nearest position of a triangle, and the square of its distance.
 struct TriangleNearest {
   exact::BigRational squared;

@@ -10,6 +10,7 @@
 #include "depth/exact_frame.h"
 #include "dymsum/convex_solid.h"
 #include "spatial/mesh/vec3.h"
+#include "spatial/sum/exact_set.h"
 #include "spatial/sum/sum_source.h"
 
 namespace dymsum::depth {
@@ -71,9 +72,12 @@ spatial::BoxTree tree_of(const DepthOperands& o) {
   return spatial::BoxTree(std::move(boxes));
 }
 
-std::optional<Error> operand_error(const Mesh& p, const Mesh& q) {
-  if (p.empty() || q.empty()) return Error{ErrorCode::no_area, "an operand is empty: it has no depth", {}};
-  if (p.has_thin_parts() && q.has_thin_parts())
+std::optional<Error> operand_error(const spatial::OperandSet& p, const spatial::OperandSet& q) {
+  const auto is_empty = [](const spatial::OperandSet& set) {
+    return set.mesh() ? set.mesh()->empty() : set.set().at.empty();
+  };
+  if (is_empty(p) || is_empty(q)) return Error{ErrorCode::no_area, "an operand is empty: it has no depth", {}};
+  if (p.has_thin() && q.has_thin())
     return Error{ErrorCode::unsupported_operand, "both operands have parts without volume: depth wants one solid", {}};
   return std::nullopt;
 }
@@ -104,8 +108,20 @@ Vec3 DepthOperands::scaled(const std::array<BigRational, 3>& world) const {
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const Mesh& q, const DepthOptions& options) {
-  if (std::optional<Error> error = operand_error(p, q)) return *std::move(error);
+namespace {
+
+Result<std::shared_ptr<const DepthOperands>> operands_of_results(const SpatialOperand& p, const SpatialOperand& q,
+                                                                 const SpatialOptions& options) {
+  Result<SpatialSum> sum = sum_with_reflected(p, q, options);
+  if (!sum) return sum.error();
+  auto o = std::make_shared<DepthOperands>();
+  o->results.emplace(*std::move(sum));
+  return std::shared_ptr<const DepthOperands>(std::move(o));
+}
+
+Result<std::shared_ptr<const DepthOperands>> operands_of_meshes(const Mesh& p, const Mesh& q,
+                                                                const DepthOptions& options,
+                                                                const SpatialOptions& sum_options) {
   if (std::optional<Error> error = spatial::grid_error(p.vertices(), q.vertices())) return *std::move(error);
   auto o = std::make_shared<DepthOperands>();
   o->engine = options.engine;
@@ -127,13 +143,23 @@ Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const
   o->tree = tree_of(*o);
   if (options.contacts) o->touching = std::make_unique<const TouchingPairs>(touch_side(p), touch_side(q));
   if (options.engine == DepthEngine::boundary) {
-    SpatialOptions sum_options;
-    sum_options.threads = options.threads, sum_options.progress = options.progress;
     Result<SpatialSum> sum = minkowski_sum(p, reflected, sum_options);
     if (!sum) return sum.error();
     o->sum = *std::move(sum);
   }
   return std::shared_ptr<const DepthOperands>(std::move(o));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const DepthOperands>> depth_operands(const SpatialOperand& p, const SpatialOperand& q,
+                                                            const DepthOptions& options) {
+  const spatial::OperandSet a(p, Semantics::closed), b(q, Semantics::closed);
+  if (std::optional<Error> error = operand_error(a, b)) return *std::move(error);
+  SpatialOptions sum_options;
+  sum_options.threads = options.threads, sum_options.progress = options.progress;
+  if (a.mesh() && b.mesh()) return operands_of_meshes(*a.mesh(), *b.mesh(), options, sum_options);
+  return operands_of_results(p, q, sum_options);
 }
 
 using spatial::Box;

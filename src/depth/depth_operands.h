@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "depth/exact_frame.h"
+#include "depth/result_depth.h"
 #include "depth/touching_pairs.h"
 #include "dymsum/penetration_depth.h"
 #include "spatial/boundary/collision.h"
@@ -54,6 +55,8 @@ struct DepthOperands {
   spatial::BoxTree tree;                          ///< boxes of facets
   std::unique_ptr<const TouchingPairs> touching;  ///< Q as it is; none where contacts are not requested
   std::optional<SpatialSum> sum;                  ///< of the engine that searches its boundary
+  /// Of operands that no doubles hold: then there is nothing else.
+  std::optional<ResultDepth> results;
 
   spatial::Vec3 corner(spatial::SumPoint s) const { return p_at[s.p] + q_at[s.q]; }
   /// A position in the operands' units, scaled; each coordinate rounded once, infinite where it is far away.
@@ -67,7 +70,8 @@ struct CoveredBall {
   bool holds(spatial::Vec3 x) const { return spatial::length(x - centre) < radius; }
 };
 
-Result<std::shared_ptr<const DepthOperands>> depth_operands(const Mesh& p, const Mesh& q, const DepthOptions& options);
+Result<std::shared_ptr<const DepthOperands>> depth_operands(const SpatialOperand& p, const SpatialOperand& q,
+                                                            const DepthOptions& options);
 
 // Overlap that doubles prove.
 

@@ -319,7 +319,9 @@ SolidDistance distance_with(const DepthOperands& o, std::vector<RationalVector> 
   SolidDistance result;
   const RationalVector& v = moves.front();
   const BigRational square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  result.meeting = overlapping ? Meeting::overlapping : square == 0 ? Meeting::touching : Meeting::apart;
+  // On what is tight inside of the sum they only touch.
+  const bool touching = square == 0 && (!overlapping || o.results);
+  result.meeting = touching ? Meeting::touching : overlapping ? Meeting::overlapping : Meeting::apart;
   result.squared = exact::to_rational(square);
   result.distance = exact::root_to_double(square);
   result.at_least = result.distance;
@@ -337,7 +339,7 @@ bool operator==(const SolidDistance& a, const SolidDistance& b) {
          a.at_least == b.at_least && std::equal(a.ways.begin(), a.ways.end(), b.ways.begin(), b.ways.end(), same_sense);
 }
 
-Result<SolidDepth> SolidDepth::create(const Mesh& p, const Mesh& q, const DepthOptions& options) {
+Result<SolidDepth> SolidDepth::create(const SpatialOperand& p, const SpatialOperand& q, const DepthOptions& options) {
   if (options.threads < 0)
     return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
   Result<std::shared_ptr<const DepthOperands>> operands = depth::depth_operands(p, q, options);
@@ -346,14 +348,16 @@ Result<SolidDepth> SolidDepth::create(const Mesh& p, const Mesh& q, const DepthO
 }
 
 SolidDepth::SolidDepth(std::shared_ptr<const DepthOperands> operands)
-    : operands_(std::move(operands)), probe_(std::make_unique<DepthProbe>(*operands_)) {}
+    : operands_(std::move(operands)), probe_(operands_->results ? nullptr : std::make_unique<DepthProbe>(*operands_)) {}
 SolidDepth::SolidDepth(const SolidDepth& other) : SolidDepth(other.operands_) {}
 SolidDepth& SolidDepth::operator=(const SolidDepth& other) { return *this = SolidDepth(other); }
 SolidDepth::SolidDepth(SolidDepth&&) noexcept = default;
 SolidDepth& SolidDepth::operator=(SolidDepth&&) noexcept = default;
 SolidDepth::~SolidDepth() = default;
 
-std::size_t SolidDepth::facet_count() const { return operands_->facets.size(); }
+std::size_t SolidDepth::facet_count() const {
+  return operands_->results ? operands_->results->faces() : operands_->facets.size();
+}
 
 SolidDistance SolidDepth::at(Point3 q_moved_by, double time_limit) {
   if (!is_finite_vector(q_moved_by)) throw std::invalid_argument("SolidDepth::at: the translation is not finite");
@@ -365,6 +369,7 @@ SolidDistance SolidDepth::at(const Move& q_moved_by, double time_limit) {
   if (!(time_limit >= 0)) throw std::invalid_argument("SolidDepth::at: the time limit is below 0");
   const DepthOperands& o = *operands_;
   const RationalVector from = exact_vector(q_moved_by);
+  if (o.results) return distance_with(o, o.results->nearest(from), from, o.results->overlaps(from));
   FacetView view = view_from(o, from);
   view.balls = probe_->balls();
   const bool overlapping = probe_->provably_overlaps(view.from, view.slack) || probe_->overlaps(from);
@@ -402,6 +407,7 @@ Rational SolidDepth::along(const Move& q_moved_by, const Move& direction) {
   if (direction == RationalPoint3{}) throw std::invalid_argument("SolidDepth::along: wants a direction");
   const DepthOperands& o = *operands_;
   const RationalVector from = exact_vector(q_moved_by);
+  if (o.results) return exact::to_rational(o.results->exit_along(from, exact_vector(direction)));
   if (!probe_->overlaps(from)) return 0;
   const ExactFrame frame(o.p.vertices, o.q.vertices, o.exponent, from);
   return exact::to_rational(depth::exit_along(view_from(o, from), frame, *probe_, exact_vector(direction), from));

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -15,6 +16,8 @@
 #include "planar/result/planar_sum.h"
 #include "spatial/convolution/stage_watch.h"
 #include "spatial/slice/slice_plane.h"
+#include "spatial/sum/common_grid.h"
+#include "spatial/sum/exact_set.h"
 #include "spatial/sum/feature_pairs.h"
 
 namespace dymsum::spatial {
@@ -95,10 +98,11 @@ std::vector<std::vector<std::uint32_t>> rings_around(const PlaneCells& cells,
 
 // The cells, edges and points of a slice put together to a planar set.
 
-/// Positions of vertices named by `corner_p`: points of a space.
+/// Positions of vertices named by `corner_p`: points of a space, in a unit.
 class SliceSource final : public ExactSource {
  public:
-  explicit SliceSource(std::shared_ptr<const SumSpace> space) : space_(std::move(space)) {}
+  SliceSource(std::shared_ptr<const SumSpace> space, exact::BigRational unit)
+      : space_(std::move(space)), unit_(std::move(unit)) {}
 
   std::uint32_t add(const PointSource& at) {
     at_.push_back(at);
@@ -106,25 +110,33 @@ class SliceSource final : public ExactSource {
   }
   Position position(const SumVertex& v) const override {
     const PointSource& at = at_.at(v.corner_p);
-    return {space_->world_coordinate(at, 0), space_->world_coordinate(at, 1)};
+    return {space_->world_coordinate(at, 0) * unit_, space_->world_coordinate(at, 1) * unit_};
   }
 
  private:
   std::shared_ptr<const SumSpace> space_;
+  exact::BigRational unit_;
   std::vector<PointSource> at_;
+};
+
+/// Operands as the engine sees them: coordinates are these numbers times `unit`.
+struct SlicedPair {
+  SolidOperand p, q;
+  SliceHeight height;
+  exact::BigRational unit = 1;
 };
 
 class Collector {
  public:
-  Collector(SlicePlane plane, const SliceStates& states, const SolidOperand& p, const SolidOperand& q,
-            SolidSlice& slice)
+  Collector(SlicePlane plane, const SliceStates& states, const SlicedPair& pair, SolidSlice& slice)
       : plane_(std::move(plane)),
         space_(std::move(plane_.space)),
         states_(states),
-        p_(p),
-        q_(q),
+        p_(pair.p),
+        q_(pair.q),
+        unit_(exact::round_to_double(pair.unit)),
         slice_(slice),
-        source_(std::make_shared<SliceSource>(space_)),
+        source_(std::make_shared<SliceSource>(space_, pair.unit)),
         vertex_of_(plane_.points->size(), SumVertex::kNone) {}
 
   void run() {
@@ -159,9 +171,12 @@ class Collector {
       const double unit = std::ldexp(1.0, line.unit), offset = line.p_offset + line.q_offset;
       world[axis] = near[axis] * unit + offset;
       const double size = (space_->span() + approx.radius) * unit + std::abs(offset);
-      error_ = std::max(error_, approx.radius * unit + size * 0x1p-51);
+      error_ = std::max(error_, (approx.radius * unit + size * 0x1p-51) * std::max(1.0, unit_));
     }
     SumVertex v;
+    if (unit_ != 1) {
+      for (double& c : world) c *= unit_, error_ = std::max(error_, std::abs(c) * 0x1p-51);
+    }
     v.at = {world[0], world[1]};
     v.in.p = v.out.p = SumVertex::kNone;
     v.corner_p = vertex_of_[at];
@@ -261,6 +276,7 @@ class Collector {
   std::shared_ptr<const SumSpace> space_;
   const SliceStates& states_;
   const SolidOperand &p_, &q_;
+  double unit_;
   SolidSlice& slice_;
   std::shared_ptr<SliceSource> source_;
   std::vector<std::uint32_t> vertex_of_;  // per point of the table
@@ -270,9 +286,30 @@ class Collector {
 };
 
 /// Fills section, touching and contacts, in canonical order. Takes the plane's space.
-void collect_region(SlicePlane plane, const SliceStates& states, const SolidOperand& p, const SolidOperand& q,
-                    SolidSlice& slice) {
-  Collector(std::move(plane), states, p, q, slice).run();
+void collect_region(SlicePlane plane, const SliceStates& states, const SlicedPair& pair, SolidSlice& slice) {
+  Collector(std::move(plane), states, pair, slice).run();
+}
+
+/// The sets and the height on one grid, where no doubles hold both sets.
+SlicedPair pair_of(const ExactSet& p, const ExactSet& q, double z) {
+  ExactSet height;
+  height.at.push_back({0, 0, exact::exact_value(z)});
+  const ExactSet* const sets[]{&p, &q, &height};
+  const CommonGrid grid = common_grid(sets);
+  const auto on_grid = [&](const ExactSet& set) {
+    return solid_operand(set.set, set.thin, vertices_on(grid, set), grid.unit());
+  };
+  const exact::BigRational unit(exact::BigInteger(1) << grid.shift(), grid.scale);
+  return {on_grid(p), on_grid(q), {z, vertices_on(grid, height)[0].z, 1 / exact::round_to_double(unit)}, unit};
+}
+
+/// Whether the plane meets the box of the sum.
+bool is_within(const ExactSet& p, const ExactSet& q, double z) {
+  const auto by_height = [](const ExactPosition& a, const ExactPosition& b) { return a[2] < b[2]; };
+  const auto [p_low, p_high] = std::minmax_element(p.at.begin(), p.at.end(), by_height);
+  const auto [q_low, q_high] = std::minmax_element(q.at.begin(), q.at.end(), by_height);
+  const exact::BigRational at = exact::exact_value(z);
+  return (*p_low)[2] + (*q_low)[2] <= at && at <= (*p_high)[2] + (*q_high)[2];
 }
 
 }  // namespace
@@ -289,28 +326,42 @@ bool within(const Mesh& p, const Mesh& q, double z) {
          at <= exact::exact_value(a[5]) + exact::exact_value(b[5]);
 }
 
+/// Nothing where the plane misses the sum.
+std::optional<spatial::SlicedPair> sliced_pair(const spatial::OperandSet& p, const spatial::OperandSet& q, double z) {
+  if (p.mesh() && q.mesh()) {
+    if (p.mesh()->empty() || q.mesh()->empty() || !within(*p.mesh(), *q.mesh(), z)) return std::nullopt;
+    return spatial::SlicedPair{
+        spatial::solid_operand(p.mesh()->data()), spatial::solid_operand(q.mesh()->data()), {z, {}}};
+  }
+  const spatial::ExactSet a = spatial::regular_triangles(p), b = spatial::regular_triangles(q);
+  if (a.at.empty() || b.at.empty() || !spatial::is_within(a, b, z)) return std::nullopt;
+  return spatial::pair_of(a, b, z);
+}
+
 }  // namespace
 
-Result<SolidSlice> slice_of_sum(const Mesh& p, const Mesh& q, double z, const SpatialOptions& options) {
+Result<SolidSlice> slice_of_sum(const SpatialOperand& p, const SpatialOperand& q, double z,
+                                const SpatialOptions& options) {
   if (!std::isfinite(z))
     return Error{ErrorCode::not_finite, "the height of a slice must be finite, not " + base::general_text(z, 6), {}};
   SolidSlice slice;
   slice.z = z;
-  if (p.has_thin_parts() || q.has_thin_parts())
+  const spatial::OperandSet first(p, Semantics::regular), second(q, Semantics::regular);
+  if (first.has_thin() || second.has_thin())
     return Error{ErrorCode::unsupported_operand, "slices are of solids without thin parts", {}};
-  if (p.empty() || q.empty() || !within(p, q, z)) return slice;
-  const spatial::SolidOperand a = spatial::solid_operand(p.data()), b = spatial::solid_operand(q.data());
+  const std::optional<spatial::SlicedPair> pair = sliced_pair(first, second, z);
+  if (!pair) return slice;
   SpatialStats stats;
   spatial::StageWatch watch(options, stats);
   try {
     watch.begin("convolution");
-    spatial::SlicePlane plane = spatial::slice_plane(a, b, z, watch);
+    spatial::SlicePlane plane = spatial::slice_plane(pair->p, pair->q, pair->height, watch);
     watch.begin("collisions");
-    const spatial::Collision collision(*plane.space, a, b);
+    const spatial::Collision collision(*plane.space, pair->p, pair->q);
     const spatial::SliceStates states = spatial::slice_states(plane, collision);
     slice.stats = {plane.space->bits(), plane.facets, plane.table.facets.size(), plane.cells.cells.size(),
                    collision.tests()};
-    spatial::collect_region(std::move(plane), states, a, b, slice);
+    spatial::collect_region(std::move(plane), states, *pair, slice);
   } catch (const Cancelled&) {
     return cancelled();
   } catch (const spatial::OverBudget& e) {

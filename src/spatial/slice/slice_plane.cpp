@@ -12,6 +12,7 @@
 
 #include "exact/big.h"
 #include "spatial/erode/erosion.h"
+#include "spatial/sum/solid_boundary.h"
 #include "spatial/sum/sum_source.h"
 
 namespace dymsum::spatial {
@@ -40,7 +41,7 @@ struct End {
 
 class Builder {
  public:
-  Builder(const SolidOperand& p, const SolidOperand& q, double height, StageWatch& watch)
+  Builder(const SolidOperand& p, const SolidOperand& q, const SliceHeight& height, StageWatch& watch)
       : p_(p), q_(q), height_(height), watch_(watch) {}
 
   SlicePlane run() {
@@ -59,19 +60,38 @@ class Builder {
  private:
   /// Vertices behind those of the operands make sums in the plane: the corners of the frame.
   void make_space() {
+    first_corner_ = static_cast<std::uint32_t>(p_.vertices.size());
+    anchor_ = static_cast<std::uint32_t>(q_.vertices.size());
+    result_.space = p_.exact.empty() ? space_of_doubles() : space_of_fractions();
+    const PlaneSource plane{
+        {first_corner_, anchor_}, {DirectionSource::Of::axis, 0, 0}, {DirectionSource::Of::axis, 1, 0}, false};
+    result_.plane = result_.space->add_planes(std::array{plane});
+  }
+
+  std::unique_ptr<SumSpace> space_of_doubles() const {
     std::vector<Point3> p = p_.vertices, q = q_.vertices;
-    first_corner_ = static_cast<std::uint32_t>(p.size());
-    anchor_ = static_cast<std::uint32_t>(q.size());
-    const auto [z, anchor_z] = split(height_, q[0].z);
+    const auto [z, anchor_z] = split(height_.z, q[0].z);
     const std::array<double, 2> x = frame('x', &Point3::x), y = frame('y', &Point3::y);
     for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
       p.push_back({x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(j)], z});
     q.push_back({q[0].x, q[0].y, anchor_z});
     if (const GridNeed need = grid_need(p, q); need.bits > kMostGridBits) throw NoGridForSlice{too_fine(need)};
-    result_.space = make_sum_space(p, q);
-    const PlaneSource plane{
-        {first_corner_, anchor_}, {DirectionSource::Of::axis, 0, 0}, {DirectionSource::Of::axis, 1, 0}, false};
-    result_.plane = result_.space->add_planes(std::array{plane});
+    return make_sum_space(p, q);
+  }
+
+  std::unique_ptr<SumSpace> space_of_fractions() const {
+    std::vector<ExactVertex> p = p_.exact, q = q_.exact;
+    const std::array<double, 2> x = frame('x', &Point3::x), y = frame('y', &Point3::y);
+    // Integers, so that integers stay what coordinates are.
+    const auto in_units = [&](const std::array<double, 2>& ends, int end) {
+      const exact::BigRational v =
+          exact::exact_value(std::ldexp(height_.by * ends[static_cast<std::size_t>(end)], -p_.exponent));
+      return exact::Fraction(exact::BigInteger(numerator(v) / denominator(v)) + 2 * end - 1);
+    };
+    for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      p.push_back({in_units(x, i), in_units(y, j), height_.in_units - q[0].z});
+    q.push_back(q[0]);
+    return make_sum_space(p, q, p_.exponent);
   }
 
   std::array<double, 2> frame(char name, double Point3::*axis) const {
@@ -93,14 +113,14 @@ class Builder {
                     std::to_string(need.bits) + " bits on their common grid along " + need.axis + ", and " +
                     std::to_string(kMostGridBits) + " are the most",
                 {}};
-    if (height) error.evidence.z = height_;
+    if (height) error.evidence.z = height_.z;
     else error.evidence.x = need.at.x, error.evidence.y = need.at.y, error.evidence.z = need.at.z;
     return error;
   }
 
   void take_facets() {
     // Facets do not depend on the height, whose digits may need a finer grid than the operands.
-    const std::unique_ptr<SumSpace> own = make_sum_space(p_.vertices, q_.vertices);
+    const std::unique_ptr<SumSpace> own = space_of(p_, q_);
     const ReducedConvolution all = reduced_convolution(*own, p_, q_, watch_);
     result_.facets = all.facets.size();
     ReducedConvolution met;
@@ -198,7 +218,7 @@ class Builder {
   }
 
   const SolidOperand &p_, &q_;
-  double height_;
+  const SliceHeight& height_;
   StageWatch& watch_;
   std::uint32_t first_corner_ = 0, anchor_ = 0;
   std::vector<PointSource> sources_;  // two for every segment
@@ -207,7 +227,7 @@ class Builder {
 
 }  // namespace
 
-SlicePlane slice_plane(const SolidOperand& p, const SolidOperand& q, double height, StageWatch& watch) {
+SlicePlane slice_plane(const SolidOperand& p, const SolidOperand& q, const SliceHeight& height, StageWatch& watch) {
   return Builder(p, q, height, watch).run();
 }
 

@@ -42,8 +42,15 @@ struct NoGridForSlice {
   Error error;
 };
 
+/// A height by the operands' own numbers: in doubles, or in their units where no doubles hold them.
+struct SliceHeight {
+  double z = 0;
+  exact::Fraction in_units;
+  double by = 1;  ///< the operands' doubles, times this, are multiples of 2^exponent
+};
+
 /// Requires operands that are not empty. Throws NoGridForSlice, and what reduced_convolution throws.
-SlicePlane slice_plane(const SolidOperand& p, const SolidOperand& q, double height, StageWatch& watch);
+SlicePlane slice_plane(const SolidOperand& p, const SolidOperand& q, const SliceHeight& height, StageWatch& watch);
 
 // The cells, edges and points of a slice that lie in the sum.
 
