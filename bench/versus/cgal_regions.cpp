@@ -1,7 +1,7 @@
-// CGAL's Boolean operations of regions with exact constructions (Polygon_set_2, what Boolean_set_operations_2 calls), of
-// files with one polygon a line, "x y x y ...": prints the least milliseconds of the runs and the area. All polygons of
-// the files are united, or those of the second are intersected with, or taken from, that of the first.
-// cgal_regions A B union|intersect|subtract RUNS
+// CGAL's Boolean operations of regions with exact constructions (Polygon_set_2, what Boolean_set_operations_2 calls),
+// of files with one polygon a line, "x y x y ...": prints the least milliseconds of the runs and the area. All polygons
+// of the files are united, or those of the second are intersected with, or taken from, that of the first. cgal_regions
+// A B union|intersect|subtract RUNS
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_set_2.h>

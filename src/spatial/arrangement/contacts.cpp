@@ -103,6 +103,25 @@ void find_inner_edges(const SumSpace& space, const SolidOperand& p, const SolidO
   }
 }
 
+void find_inner_edges(const SumSpace& space, FacetTable& table) {
+  struct Beside {
+    std::uint32_t facets = 0, first = 0;
+    bool forward = false, inner = false;
+  };
+  std::vector<Beside> edges(space.edges().size());
+  for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
+    const TableFacet& f = table.facets[i];
+    for (int k = 0; k < f.facet.corners; ++k) {
+      Beside& at = edges[f.edge[k]];
+      const TableFacet& first = table.facets[at.first];
+      at.inner = ++at.facets == 2 && first.plane == f.plane && first.side == f.side && at.forward != f.forward[k];
+      if (at.facets == 1) at.first = i, at.forward = f.forward[k];
+    }
+  }
+  table.inner.resize(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) table.inner[e] = edges[e].inner;
+}
+
 FacetTable facet_table(SumSpace& space, const ReducedConvolution& convolution, StageWatch& watch) {
   FacetTable table;
   table.facets.reserve(convolution.facets.size());

@@ -201,7 +201,9 @@ class PairsBetween {
   PairsBetween(std::span<const Box> boxes, StageWatch& watch) : boxes_(boxes), watch_(watch) {}
 
   /// Sets that have no box in common.
-  void add(std::vector<std::uint32_t> a, std::vector<std::uint32_t> b) { split(std::move(a), std::move(b), kMostDepth); }
+  void add(std::vector<std::uint32_t> a, std::vector<std::uint32_t> b) {
+    split(std::move(a), std::move(b), kMostDepth);
+  }
   Pairs take() { return std::move(pairs_); }
 
  private:

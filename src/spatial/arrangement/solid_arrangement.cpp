@@ -297,7 +297,7 @@ void name_crossings(SolidArrangement& result, StageWatch& watch) {
 void add_sheets(std::span<const Sheet> sheets, SolidArrangement& result, StageWatch& watch) {
   std::vector<PointSource> sources;
   for (const Sheet& sheet : sheets)
-    for (const auto& ends : sheet.border)
+    for (const auto& ends : sheet.rim)
       for (const SumPoint s : ends) sources.push_back({PointSource::Kind::sum, s.p, s.q, 0});
   const std::vector<PointId> ids = result.points.add(sources, watch);
   std::size_t at = 0;
@@ -306,7 +306,7 @@ void add_sheets(std::span<const Sheet> sheets, SolidArrangement& result, StageWa
     group.first_cell = result.cell_count++;
     group.cells.known = static_cast<PointId>(result.points.size());
     group.cells.cells.push_back({1, 0, 0, 0});
-    for (std::size_t k = 0; k < sheet.border.size(); ++k, at += 2) {
+    for (std::size_t k = 0; k < sheet.rim.size(); ++k, at += 2) {
       const PointId a = ids[at], b = ids[at + 1];
       CellEdge edge{std::min(a, b), std::max(a, b)};
       (a < b ? edge.left : edge.right) = 0;

@@ -114,8 +114,7 @@ int WindingNumber::passed(const FlagQuery& query, const Triangle& c) const {
     if (s == 0 || (k > 0 && s != turn)) return 0;
     turn = s;
   }
-  const PlaneSource plane{
-      {c[0], 0}, {DirectionSource::Of::p, c[0], c[1]}, {DirectionSource::Of::p, c[0], c[2]}, false};
+  const PlaneSource plane{{c[0], 0}, {DirectionSource::Of::p, c[0], c[1]}, {DirectionSource::Of::p, c[0], c[2]}, false};
   const int up = space_.exact_normal(plane, 2);
   const Vec3 &a = space_.p()[c[0]], &b = space_.p()[c[1]], &d = space_.p()[c[2]];
   return query.side(plane, b - a, d - a) * up < 0 ? up : 0;

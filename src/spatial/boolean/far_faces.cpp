@@ -77,9 +77,8 @@ class Split {
       const std::uint32_t twin = faces_.twin[h];
       if (twin == kNoId || twin < h || (near_[h / 3] != 0 && near_[twin / 3] != 0)) continue;
       const std::uint32_t apex = next(next(twin));
-      faces_.flat[h] = faces_.flat[twin] =
-          surface_.face[h / 3] == surface_.face[twin / 3] ||
-          exact::orient3_sign(at(h), at(next(h)), at(next(next(h))), at(apex)) == 0;
+      faces_.flat[h] = faces_.flat[twin] = surface_.face[h / 3] == surface_.face[twin / 3] ||
+                                           exact::orient3_sign(at(h), at(next(h)), at(next(next(h))), at(apex)) == 0;
     }
   }
   /// All triangles of a face are near.
@@ -110,21 +109,21 @@ class Split {
     sheet.assign(count, kNoId);
     for (std::uint32_t first = 0; first < count; ++first) {
       if (near_[first] != 0 || sheet[first] != kNoId) continue;
-      const auto name = static_cast<std::uint32_t>(faces_.borders.size());
-      faces_.borders.emplace_back();
+      const auto name = static_cast<std::uint32_t>(faces_.rims.size());
+      faces_.rims.emplace_back();
       if (fill(first, name)) continue;
-      // Without a border: one face is near. What that connected is beside it, and one sheet still.
+      // Without a rim: one face is near. What that connected is beside it, and one sheet still.
       spread(first);
     }
     for (std::uint32_t t = 0; t < count; ++t)
       if (near_[t] != 0) sheet[t] = kNoId;
     for (std::uint32_t h = 0; h < 3 * count; ++h)
       if (near_[h / 3] == 0 && near_[faces_.twin[h] / 3] != 0)
-        faces_.borders[sheet[h / 3]].push_back({from(h), from(next(h))});
+        faces_.rims[sheet[h / 3]].push_back({from(h), from(next(h))});
   }
   /// Names all far triangles that edges connect to one; returns whether any is beside a near one.
   bool fill(std::uint32_t first, std::uint32_t name) {
-    bool border = false;
+    bool rim = false;
     faces_.sheet[first] = name;
     todo_.assign(1, first);
     while (!todo_.empty()) {
@@ -132,13 +131,13 @@ class Split {
       todo_.pop_back();
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
         const std::uint32_t other = faces_.twin[h] / 3;
-        border = border || near_[other] != 0;
+        rim = rim || near_[other] != 0;
         if (near_[other] != 0 || faces_.sheet[other] != kNoId) continue;
         faces_.sheet[other] = name;
         todo_.push_back(other);
       }
     }
-    return border;
+    return rim;
   }
 
   const SolidOperand& surface_;
@@ -153,8 +152,11 @@ std::vector<std::vector<std::uint32_t>> outlines(const FarFaces& faces, std::uin
                                                  std::vector<std::uint8_t>& seen) {
   const auto is_flat = [&](std::uint32_t h) { return faces.flat[h] != 0; };
   seen[first] = 1;
-  if (!is_flat(3 * first) && !is_flat(3 * first + 1) && !is_flat(3 * first + 2))
-    return {{3 * first, 3 * first + 1, 3 * first + 2}};
+  std::vector<std::vector<std::uint32_t>> loops;
+  if (!is_flat(3 * first) && !is_flat(3 * first + 1) && !is_flat(3 * first + 2)) {
+    loops.emplace_back(std::initializer_list<std::uint32_t>{3 * first, 3 * first + 1, 3 * first + 2});
+    return loops;
+  }
   std::vector<std::uint32_t> triangles{first}, sides;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     for (std::uint32_t h = 3 * triangles[k]; h < 3 * triangles[k] + 3; ++h) {
@@ -168,7 +170,6 @@ std::vector<std::vector<std::uint32_t>> outlines(const FarFaces& faces, std::uin
   }
   std::sort(sides.begin(), sides.end());
   std::vector<bool> passed(sides.size(), false);
-  std::vector<std::vector<std::uint32_t>> loops;
   const auto index = [&](std::uint32_t h) { return std::lower_bound(sides.begin(), sides.end(), h) - sides.begin(); };
   for (std::size_t k = 0; k < sides.size(); ++k) {
     if (passed[k]) continue;

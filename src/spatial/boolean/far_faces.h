@@ -14,10 +14,10 @@
 
 namespace dymsum::spatial {
 
-/// Triangles of solids, near and far. A face (all triangles that flat edges connect) is far where the box of none of its
-/// triangles meets one of another solid, every edge of it has exactly two triangles, which run through it in opposite
-/// directions, and its outline turns at each of its vertices. Far faces that edges connect are a sheet. Each sheet has
-/// edges in common with near triangles, its border: a surface without any has one near face.
+/// Triangles of solids, near and far. A face (all triangles that flat edges connect) is far where the box of none of
+/// its triangles meets one of another solid, every edge of it has exactly two triangles, which run through it in
+/// opposite directions, and no vertex lies inside of a straight side of its outline. Far faces that edges connect are a
+/// sheet. Each sheet has edges in common with near triangles, its rim: a surface without any has one near face.
 ///
 /// Nothing of another solid meets a far face, nor the edges and vertices of one, and so cuts it.
 struct FarFaces {
@@ -26,7 +26,7 @@ struct FarFaces {
   std::vector<std::uint32_t> twin;   ///< per half-edge 3 t + k, from corner k of t on: the one on its edge's other side
   std::vector<std::uint8_t> flat;    ///< per half-edge of a far face: whether the twin's triangle lies in its plane
   /// Per sheet: its sides beside near triangles, from a vertex to another one, the sheet to the left.
-  std::vector<std::vector<std::array<std::uint32_t, 2>>> borders;
+  std::vector<std::vector<std::array<std::uint32_t, 2>>> rims;
 };
 
 /// Requires a surface of solids, and all pairs of triangles of different ones whose boxes meet. Exact. O(n log n).

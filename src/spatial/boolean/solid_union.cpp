@@ -83,10 +83,10 @@ NearPairs among_near(const NearPairs& pairs, const FarFaces& faces) {
 
 std::vector<Sheet> sheets_of(const FarFaces& faces) {
   std::vector<Sheet> sheets;
-  for (const auto& border : faces.borders) {
+  for (const auto& rim : faces.rims) {
     Sheet& sheet = sheets.emplace_back();
-    sheet.border.reserve(border.size());
-    for (const auto& [from, to] : border) sheet.border.push_back({SumPoint{from, 0}, SumPoint{to, 0}});
+    sheet.rim.reserve(rim.size());
+    for (const auto& [from, to] : rim) sheet.rim.push_back({SumPoint{from, 0}, SumPoint{to, 0}});
   }
   return sheets;
 }
@@ -109,6 +109,7 @@ FarFaces arrange_surface(const Surface& surface, bool all_pairs, SolidBoundary& 
   }
   watch.hold(table_bytes(faces.near.size()));
   result.table = facet_table(*result.space, facets_of(operand, faces.near), watch);
+  if (!all_pairs) find_inner_edges(*result.space, result.table);
   watch.begin("contacts");
   Contacts contacts = by_solids ? find_contacts_between(*result.space, result.table, among_near(pairs, faces), watch)
                                 : find_contacts(*result.space, result.table, watch);
@@ -164,9 +165,9 @@ SheetFace sheet_face(const FarFaces& far, const SolidOperand& surface, std::uint
 /// The faces of sheets that bound what is inside.
 std::vector<SheetFace> sheet_faces(const FarFaces& far, const SolidOperand& surface, SolidBoundary& boundary) {
   std::vector<SheetFace> found;
-  if (far.borders.empty()) return found;
+  if (far.rims.empty()) return found;
   SolidArrangement& arrangement = *boundary.arrangement;
-  const std::size_t first_group = arrangement.groups.size() - far.borders.size();
+  const std::size_t first_group = arrangement.groups.size() - far.rims.size();
   VertexPoints points(arrangement.points, surface.vertices.size());
   std::vector<std::uint8_t> seen(far.sheet.size(), 0);
   for (std::uint32_t t = 0; t < far.sheet.size(); ++t) {
@@ -191,8 +192,7 @@ SolidBoundary boundary_inside(const Surface& surface, const SolidOperand& point,
   if (const auto edge = open_edge(*result.arrangement))
     throw OpenAt{midpoint(*result.space, *result.arrangement, *edge)};
   watch.begin("winding numbers");
-  const CellWindings windings =
-      cell_windings(*result.space, *result.arrangement, surface.operand.triangles, watch);
+  const CellWindings windings = cell_windings(*result.space, *result.arrangement, surface.operand.triangles, watch);
   for (PlaneGroup& group : result.arrangement->groups) {
     for (std::uint32_t c = 0; c < group.cells.cells.size(); ++c) {
       Cell& cell = group.cells.cells[c];

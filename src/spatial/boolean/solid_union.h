@@ -24,8 +24,8 @@ struct InsideRule {
 
 /// Statement, errors and cost: united in solid_union.h. Method: docs/design/solid-union.md.
 Result<SpatialSum> solid_inside(const MeshData& surface, InsideRule rule, const SpatialOptions& options);
-/// The same of solids together: faces that nothing of another solid comes near are not arranged. With the engine `brute`
-/// all are.
+/// The same of solids together: faces that nothing of another solid comes near are not arranged. With the engine
+/// `brute` all are.
 Result<SpatialSum> solid_inside(std::span<const DirectedSolid> solids, InsideRule rule, const SpatialOptions& options);
 /// The same of triangles with area whose vertices are fractions.
 Result<SpatialSum> solid_inside(const ExactSet& surface, InsideRule rule, const SpatialOptions& options);

@@ -91,8 +91,8 @@ class FeaturePairs {
 /// at the visit after which it goes on smallest.
 void start_at_smallest(std::vector<std::uint32_t>& loop);
 
-/// All edges, sorted, with the faces that they bound, each once and ascending: those of edge k are faces[edges[k].first]
-/// to faces[edges[k + 1].first]. One more edge stands at the end. O(n log n).
+/// All edges, sorted, with the faces that they bound, each once and ascending: those of edge k are
+/// faces[edges[k].first] to faces[edges[k + 1].first]. One more edge stands at the end. O(n log n).
 struct EdgeList {
   struct Edge {
     std::uint32_t from = 0, to = 0, first = 0;

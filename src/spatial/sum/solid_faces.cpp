@@ -288,8 +288,8 @@ class Assembler {
   std::vector<SheetFace> sheet_faces_;
   std::size_t first_sheet_face_ = 0;  // among all polygons
   std::vector<bool> of_sheet_;        // per face of the sum
-  std::vector<PointId> point_of_;    // per vertex
-  std::vector<std::uint32_t> name_;  // per point of the arrangement
+  std::vector<PointId> point_of_;     // per vertex
+  std::vector<std::uint32_t> name_;   // per point of the arrangement
 };
 
 }  // namespace
