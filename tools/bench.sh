@@ -76,6 +76,12 @@ do_bench() {
     else
       say "without CGAL"
     fi
+    rival=build/cgal_regions
+    if need libcgal-dev && g++ -O3 -DNDEBUG -std=c++17 bench/versus/cgal_regions.cpp -o "$rival" -lmpfr -lgmp; then
+      export CGAL_REGIONS=$PWD/$rival
+    else
+      say "without CGAL's regions"
+    fi
     DYMSUM=$PWD/$release/dymsum "${DYMSUM_PYTHON:?}" bench/boolean/boolean.py "$@"
     return
   fi

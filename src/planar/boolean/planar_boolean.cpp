@@ -266,13 +266,20 @@ planar::Soup soup_of(const planar::SumState& state, Scratch& scratch) {
   return soup;
 }
 
+/// What windings are counted of: of every input, or of all together. Of regions, which go around no position more than
+/// once nor backward, the union is where the latter are positive, and where it only touches itself does not matter for
+/// regular semantics. Windings of n inputs at every edge would take n times as long, and as much memory.
+enum class Inputs : std::uint8_t { each, as_one };
+
 // The stages, one after the other. Returns the pieces without interior.
-planar::PieceCandidates find_boundary(const BooleanTerms& terms, const planar::JoinedInputs& joined,
+planar::PieceCandidates find_boundary(const BooleanTerms& all, const planar::JoinedInputs& joined, Inputs inputs,
                                       const SumOptions& options, planar::SumState& state) {
+  const BooleanTerms terms = inputs == Inputs::as_one ? BooleanTerms{{all.inputs[0]}, {0}} : all;
   Poll poll(options.progress);
   Scratch scratch;
   const planar::Soup soup = soup_of(state, scratch);
-  const planar::SegmentInputs segments = planar::segments_of(joined, *state.p);
+  planar::SegmentInputs segments = planar::segments_of(joined, *state.p);
+  if (inputs == Inputs::as_one) std::fill(segments.input.begin(), segments.input.end(), 0u);
   state.stats.reduced_segments = state.stats.live_segments = soup.size();
   poll.stage("crossings");
   planar::Meetings meetings = planar::every_meeting(soup, poll);
@@ -309,7 +316,9 @@ PlanarSum finished(planar::SumState&& state, const planar::PieceCandidates& piec
 
 }  // namespace
 
-Result<PlanarSum> planar::evaluate(BooleanTerms terms, const SumOptions& options) {
+namespace {
+
+Result<PlanarSum> evaluated(BooleanTerms terms, Inputs inputs, const SumOptions& options) {
   const auto budget = base::budget_of(options.memory);
   return base::within_memory(budget, "the Boolean operation", [&]() -> Result<PlanarSum> {
     const planar::JoinedInputs joined = planar::joined_inputs(terms);
@@ -323,7 +332,7 @@ Result<PlanarSum> planar::evaluate(BooleanTerms terms, const SumOptions& options
       if (!placed) return placed.error();
       planar::SumState state = std::move(placed).value();
       try {
-        const planar::PieceCandidates pieces = find_boundary(terms, joined, options, state);
+        const planar::PieceCandidates pieces = find_boundary(terms, joined, inputs, options, state);
         result = finished(std::move(state), pieces, options.semantics);
       } catch (const Cancelled&) {
         return cancelled();
@@ -336,27 +345,38 @@ Result<PlanarSum> planar::evaluate(BooleanTerms terms, const SumOptions& options
   });
 }
 
+}  // namespace
+
+Result<PlanarSum> planar::evaluate(BooleanTerms terms, const SumOptions& options) {
+  return evaluated(std::move(terms), Inputs::each, options);
+}
+
 namespace {
 
 /// One expression after the other, and what combines each with the ones before it.
-Result<PlanarSum> combine(std::span<const PlanarOperand> sets, std::int32_t step, const SumOptions& options) {
+Result<PlanarSum> combine(std::span<const PlanarOperand> sets, std::int32_t step, Inputs inputs,
+                          const SumOptions& options) {
   BooleanTerms all;
   for (std::size_t k = 0; k < sets.size(); ++k) {
     all.append(planar::terms_of(sets[k], options.semantics));
     if (k > 0) all.steps.push_back(step);
   }
-  return planar::evaluate(std::move(all), options);
+  return evaluated(std::move(all), inputs, options);
 }
 
 }  // namespace
 
 Result<PlanarSum> united(std::span<const PlanarOperand> sets, const SumOptions& options) {
-  return combine(sets, BooleanTerms::kOr, options);
+  const bool regions = std::all_of(sets.begin(), sets.end(), [](const PlanarOperand& set) {
+    return std::holds_alternative<const Region*>(set.set());
+  });
+  const bool as_one = regions && sets.size() > 1 && options.semantics == Semantics::regular;
+  return combine(sets, BooleanTerms::kOr, as_one ? Inputs::as_one : Inputs::each, options);
 }
 
 Result<PlanarSum> intersection(std::span<const PlanarOperand> sets, const SumOptions& options) {
   if (sets.empty()) return Error{ErrorCode::out_of_range, "an intersection takes at least one set, not 0", {}};
-  return combine(sets, BooleanTerms::kAnd, options);
+  return combine(sets, BooleanTerms::kAnd, Inputs::each, options);
 }
 
 Result<PlanarSum> united(const PlanarOperand& a, const PlanarOperand& b, const SumOptions& options) {

@@ -103,6 +103,25 @@ void find_inner_edges(const SumSpace& space, const SolidOperand& p, const SolidO
   }
 }
 
+void find_inner_edges(const SumSpace& space, FacetTable& table) {
+  struct Beside {
+    std::uint32_t facets = 0, first = 0;
+    bool forward = false, inner = false;
+  };
+  std::vector<Beside> edges(space.edges().size());
+  for (std::uint32_t i = 0; i < table.facets.size(); ++i) {
+    const TableFacet& f = table.facets[i];
+    for (int k = 0; k < f.facet.corners; ++k) {
+      Beside& at = edges[f.edge[k]];
+      const TableFacet& first = table.facets[at.first];
+      at.inner = ++at.facets == 2 && first.plane == f.plane && first.side == f.side && at.forward != f.forward[k];
+      if (at.facets == 1) at.first = i, at.forward = f.forward[k];
+    }
+  }
+  table.inner.resize(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) table.inner[e] = edges[e].inner;
+}
+
 FacetTable facet_table(SumSpace& space, const ReducedConvolution& convolution, StageWatch& watch) {
   FacetTable table;
   table.facets.reserve(convolution.facets.size());
@@ -351,21 +370,22 @@ std::vector<PlaneCut> plane_cuts(const SumSpace& space, const FacetTable& table,
   return cuts;
 }
 
-Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch, const Box* within) {
+namespace {
+
+std::vector<Corners> all_corners(const SumSpace& space, const FacetTable& table, StageWatch& watch) {
   watch.hold(table.facets.size() * (sizeof(Box) + sizeof(Corners)));
-  std::vector<Box> boxes(table.facets.size());
   std::vector<Corners> corners(table.facets.size());
-  watch.run_intervals(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f) {
-      corners[f] = corners_of(space, table.facets[f]);
-      boxes[f] = box_of(space, table.facets[f], corners[f]);
-      if (within != nullptr) boxes[f] = common(boxes[f], *within);
-    }
+  watch.run_intervals(corners.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) corners[f] = corners_of(space, table.facets[f]);
   });
+  return corners;
+}
+
+/// The contacts of those pairs.
+Contacts contacts_of(const SumSpace& space, const FacetTable& table, std::vector<Corners> corners, NearPairs near,
+                     StageWatch& watch) {
   constexpr std::size_t kPart = 256;
   const std::size_t count = table.facets.size();
-  NearPairs near = near_pairs(boxes, watch);
-  base::free_memory(boxes);
   std::vector<Contacts> parts((count + kPart - 1) / kPart);
   watch.run(parts.size(), [&](std::size_t part) {
     Contacts& some = parts[part];
@@ -400,6 +420,45 @@ Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatc
     result.counts.box_pairs += some.counts.box_pairs;
   }
   result.counts.contacts = result.contacts.size();
+  return result;
+}
+
+}  // namespace
+
+Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch, const Box* within) {
+  std::vector<Corners> corners = all_corners(space, table, watch);
+  std::vector<Box> boxes(table.facets.size());
+  watch.run_intervals(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      boxes[f] = box_of(space, table.facets[f], corners[f]);
+      if (within != nullptr) boxes[f] = common(boxes[f], *within);
+    }
+  });
+  NearPairs near = near_pairs(boxes, watch);
+  base::free_memory(boxes);
+  return contacts_of(space, table, std::move(corners), std::move(near), watch);
+}
+
+Contacts find_contacts_between(const SumSpace& space, const FacetTable& table, NearPairs near, StageWatch& watch) {
+  Contacts result = contacts_of(space, table, all_corners(space, table, watch), std::move(near), watch);
+  // The facets at every edge of sums as a list, the last one first.
+  struct AtEdge {
+    std::uint32_t facet;
+    std::uint32_t before;
+  };
+  std::vector<AtEdge> list;
+  list.reserve(3 * table.facets.size());
+  std::vector<std::uint32_t> last(space.edges().size(), kNoId);
+  for (std::uint32_t f = 0; f < table.facets.size(); ++f) {
+    const TableFacet& facet = table.facets[f];
+    for (int k = 0; k < facet.facet.corners; ++k) {
+      std::uint32_t& at = last[facet.edge[k]];
+      for (std::uint32_t i = at; i != kNoId; i = list[i].before)
+        if (table.facets[list[i].facet].plane == facet.plane) result.coplanar.push_back({list[i].facet, f});
+      list.push_back({f, at});
+      at = static_cast<std::uint32_t>(list.size() - 1);
+    }
+  }
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "spatial/arrangement/near_pairs.h"
 #include "spatial/convolution/reduced_facets.h"
 #include "spatial/mesh/box_tree.h"
 
@@ -37,6 +38,10 @@ FacetTable facet_table(SumSpace& space, const ReducedConvolution& convolution, S
 /// its triangles, plus a vertex, where both triangles plus that vertex are in the table. O(n).
 void find_inner_edges(const SumSpace& space, const SolidOperand& p, const SolidOperand& q, FacetTable& table);
 
+/// Marks the edges of sums that have two facets, of one plane and with one normal, on their two sides: nothing changes
+/// across them. O(n).
+void find_inner_edges(const SumSpace& space, FacetTable& table);
+
 /// The common points of facets f < g, from `from` to `to` in the direction n_f x n_g of their planes' normals; one
 /// point where both are equal. `from_inner`: there the contact goes on into neighbours across inner edges of the table,
 /// and nothing ends but triangles; likewise `to_inner`.
@@ -64,6 +69,10 @@ std::optional<Contact> contact(const SumSpace& space, const FacetTable& table, s
 /// facet edges that end there. Where two facets in different planes share an edge of sums, that edge is all they have
 /// in common, and not listed. With `within` only contacts that meet that box, on the grid, need be listed.
 Contacts find_contacts(const SumSpace& space, const FacetTable& table, StageWatch& watch, const Box* within = nullptr);
+/// The same of facets of several surfaces, each of which has in common with itself nothing but corners and edges of
+/// sums: `near` are the pairs of facets of two surfaces that may meet. Of one surface those in one plane are listed
+/// that have an edge in common.
+Contacts find_contacts_between(const SumSpace& space, const FacetTable& table, NearPairs near, StageWatch& watch);
 
 /// The interval of a facet on a plane that is none of a facet, from `from` to `to` in the direction n_f x n_plane.
 struct PlaneCut {

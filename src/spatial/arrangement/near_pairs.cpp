@@ -174,6 +174,88 @@ void add_pairs(const LeafTree& tree, std::uint32_t l, std::span<const Box> boxes
   });
 }
 
+/// Pairs f < g by f, each list sorted; frees the parts.
+NearPairs listed(std::size_t boxes, std::span<Pairs> parts, StageWatch& watch) {
+  NearPairs near;
+  near.begin.assign(boxes + 1, 0);
+  for (const Pairs& pairs : parts)
+    for (const auto& [f, g] : pairs) ++near.begin[f + 1];
+  std::partial_sum(near.begin.begin(), near.begin.end(), near.begin.begin());
+  watch.hold(2 * near.begin.size() * sizeof(near.begin[0]) + near.begin.back() * sizeof(near.others[0]));
+  near.others.resize(near.begin.back());
+  std::vector<std::size_t> position(near.begin.begin(), near.begin.end() - 1);
+  for (Pairs& pairs : parts) {
+    for (const auto& [f, g] : pairs) near.others[position[f]++] = g;
+    free_counted(pairs, watch);
+  }
+  watch.run_intervals(boxes, 1024, [&](std::size_t, std::size_t first, std::size_t last) {
+    const auto at = [&](std::size_t f) { return near.others.begin() + static_cast<std::ptrdiff_t>(near.begin[f]); };
+    for (std::size_t f = first; f < last; ++f) std::sort(at(f), at(f + 1));
+  });
+  return near;
+}
+
+/// Two sets of boxes with indices, halved by turns: of either what lies outside of the other one's box is left out.
+class PairsBetween {
+ public:
+  PairsBetween(std::span<const Box> boxes, StageWatch& watch) : boxes_(boxes), watch_(watch) {}
+
+  /// Sets that have no box in common.
+  void add(std::vector<std::uint32_t> a, std::vector<std::uint32_t> b) {
+    split(std::move(a), std::move(b), kMostDepth);
+  }
+  Pairs take() { return std::move(pairs_); }
+
+ private:
+  using Set = std::vector<std::uint32_t>;
+  static constexpr std::size_t kFew = 256;  // pairs that are compared faster than sets are halved
+  static constexpr int kMostDepth = 64;
+
+  Box around(const Set& set) const {
+    Box box;
+    for (const std::uint32_t k : set) box.add(boxes_[k]);
+    return box;
+  }
+  void keep_within(Set& set, const Box& box) const {
+    std::erase_if(set, [&](std::uint32_t k) { return !overlap(boxes_[k], box); });
+  }
+  void compare(const Set& a, const Set& b) {
+    for (const std::uint32_t f : a)
+      for (const std::uint32_t g : b)
+        if (overlap(boxes_[f], boxes_[g])) add_counted(pairs_, {std::min(f, g), std::max(f, g)}, watch_);
+  }
+  void split(Set a, Set b, int depth) {
+    keep_within(a, around(b));
+    keep_within(b, around(a));
+    if (a.empty() || b.empty()) return;
+    if (a.size() < b.size()) a.swap(b);
+    if (a.size() * b.size() <= kFew || a.size() < 8 || depth == 0) return compare(a, b);
+    if (++steps_ % 256 == 0) watch_.query_within_part(0.5);
+    Box centres;
+    for (const std::uint32_t k : a) centres.add(boxes_[k].centre());
+    const Vec3 extent = centres.high - centres.low;
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const auto key = [&](std::uint32_t k) {
+      const Vec3 c = boxes_[k].centre();
+      return axis == 0 ? c.x : axis == 1 ? c.y : c.z;
+    };
+    const auto half = a.begin() + static_cast<std::ptrdiff_t>(a.size() / 2);
+    std::nth_element(a.begin(), half, a.end(), [&](std::uint32_t f, std::uint32_t g) {
+      const double x = key(f), y = key(g);
+      return x != y ? x < y : f < g;
+    });
+    Set rest(half, a.end());
+    a.erase(half, a.end());
+    split(std::move(a), b, depth - 1);
+    split(std::move(rest), std::move(b), depth - 1);
+  }
+
+  std::span<const Box> boxes_;
+  StageWatch& watch_;
+  Pairs pairs_;
+  std::size_t steps_ = 0;
+};
+
 }  // namespace
 
 NearPairs near_pairs(std::span<const Box> boxes, StageWatch& watch) {
@@ -188,23 +270,32 @@ NearPairs near_pairs(std::span<const Box> boxes, StageWatch& watch) {
       add_pairs(tree, static_cast<std::uint32_t>(l), boxes, parts[part], watch);
     }
   });
-  NearPairs near;
-  near.begin.assign(boxes.size() + 1, 0);
-  for (const Pairs& pairs : parts)
-    for (const auto& [f, g] : pairs) ++near.begin[f + 1];
-  std::partial_sum(near.begin.begin(), near.begin.end(), near.begin.begin());
-  watch.hold(2 * near.begin.size() * sizeof(near.begin[0]) + near.begin.back() * sizeof(near.others[0]));
-  near.others.resize(near.begin.back());
-  std::vector<std::size_t> position(near.begin.begin(), near.begin.end() - 1);
-  for (Pairs& pairs : parts) {
-    for (const auto& [f, g] : pairs) near.others[position[f]++] = g;
-    free_counted(pairs, watch);
-  }
+  NearPairs near = listed(boxes.size(), parts, watch);
   give_back(boxes.size() * kBytesPerBox, watch);
-  watch.run_intervals(boxes.size(), 1024, [&](std::size_t, std::size_t first, std::size_t last) {
-    const auto at = [&](std::size_t f) { return near.others.begin() + static_cast<std::ptrdiff_t>(near.begin[f]); };
-    for (std::size_t f = first; f < last; ++f) std::sort(at(f), at(f + 1));
+  return near;
+}
+
+NearPairs near_pairs_between(std::span<const Box> boxes, std::span<const std::uint32_t> first, StageWatch& watch) {
+  watch.hold(boxes.size() * kBytesPerBox);
+  std::vector<Box> groups(first.size() - 1, Box{{0, 0, 0}, {0, 0, 0}});
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    if (first[k] < first[k + 1]) groups[k] = boxes[first[k]];
+    for (std::uint32_t i = first[k]; i < first[k + 1]; ++i) groups[k].add(boxes[i]);
+  }
+  const NearPairs near_groups = near_pairs(groups, watch);
+  const auto members = [&](std::size_t k) {
+    std::vector<std::uint32_t> list(first[k + 1] - first[k]);
+    std::iota(list.begin(), list.end(), first[k]);
+    return list;
+  };
+  std::vector<Pairs> parts(groups.size());
+  watch.run(groups.size(), [&](std::size_t k) {
+    PairsBetween between(boxes, watch);
+    for (const std::uint32_t other : near_groups.of(k)) between.add(members(k), members(other));
+    parts[k] = between.take();
   });
+  NearPairs near = listed(boxes.size(), parts, watch);
+  give_back(boxes.size() * kBytesPerBox, watch);
   return near;
 }
 

@@ -51,4 +51,9 @@ struct NearPairs {
 /// walk down a tree for each box takes.
 NearPairs near_pairs(std::span<const Box> boxes, StageWatch& watch);
 
+/// The pairs with a point in common of boxes of different groups: those of group k are boxes[first[k]] to
+/// boxes[first[k + 1]]. Boxes that lie outside of all other groups' own are looked at once. O(n log n + k) for k pairs,
+/// and the pairs of groups that overlap.
+NearPairs near_pairs_between(std::span<const Box> boxes, std::span<const std::uint32_t> first, StageWatch& watch);
+
 }  // namespace dymsum::spatial

@@ -22,6 +22,11 @@ class PointTable {
   /// The ids of points, new ones for those that are not there yet. Exact: found by their names, else by a hash of the
   /// position, compared exactly where sources differ.
   std::vector<PointId> add(std::span<const PointSource> sources, StageWatch& watch);
+  /// Adds a point that is none of those there, and that nobody adds again.
+  PointId add_other(const PointSource& source) {
+    sources_.push_back(source), hash_.push_back(0), approx_.push_back(space_.approximate(source));
+    return static_cast<PointId>(sources_.size() - 1);
+  }
 
   std::size_t size() const { return sources_.size(); }
   const PointSource& source(PointId id) const { return sources_[id]; }

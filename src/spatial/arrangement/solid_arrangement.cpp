@@ -294,6 +294,27 @@ void name_crossings(SolidArrangement& result, StageWatch& watch) {
   }
 }
 
+void add_sheets(std::span<const Sheet> sheets, SolidArrangement& result, StageWatch& watch) {
+  std::vector<PointSource> sources;
+  for (const Sheet& sheet : sheets)
+    for (const auto& ends : sheet.rim)
+      for (const SumPoint s : ends) sources.push_back({PointSource::Kind::sum, s.p, s.q, 0});
+  const std::vector<PointId> ids = result.points.add(sources, watch);
+  std::size_t at = 0;
+  for (const Sheet& sheet : sheets) {
+    PlaneGroup& group = result.groups.emplace_back();
+    group.first_cell = result.cell_count++;
+    group.cells.known = static_cast<PointId>(result.points.size());
+    group.cells.cells.push_back({1, 0, 0, 0});
+    for (std::size_t k = 0; k < sheet.rim.size(); ++k, at += 2) {
+      const PointId a = ids[at], b = ids[at + 1];
+      CellEdge edge{std::min(a, b), std::max(a, b)};
+      (a < b ? edge.left : edge.right) = 0;
+      group.cells.edges.push_back(edge);
+    }
+  }
+}
+
 }  // namespace
 
 std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
@@ -303,7 +324,7 @@ std::uint32_t SolidArrangement::group_of(std::uint32_t cell) const {
 }
 
 SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts contacts, StageWatch& watch,
-                         std::span<const PlaneCut> cuts) {
+                         std::span<const PlaneCut> cuts, std::span<const Sheet> sheets) {
   SolidArrangement result(space);
   std::vector<std::uint32_t> group_of;
   result.groups = plane_groups(table, contacts, group_of);
@@ -312,6 +333,7 @@ SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts cont
   base::free_memory(group_of);
   cut_planes(space, std::move(segments), result, watch);
   name_crossings(result, watch);
+  if (!sheets.empty()) add_sheets(sheets, result, watch);
   collect_edges(result, watch);
   return result;
 }

@@ -48,9 +48,16 @@ struct SolidArrangement {
   const CellEdge& edge(EdgeUse use) const { return groups[use.group].cells.edges[use.edge]; }
 };
 
-/// Exact. `cuts` cut their facets' planes as contacts do.
+/// An open surface of facets that are not in the table: nothing meets it but along its rim, the facet edges that it
+/// has in common with one facet of the table each. They run with the sheet to their left, seen from its front.
+struct Sheet {
+  std::vector<std::array<SumPoint, 2>> rim;
+};
+
+/// Exact. `cuts` cut their facets' planes as contacts do. Each of the sheets is a group of its own behind all others,
+/// of no plane: one cell, whose edges are the rim, with no loops.
 SolidArrangement arrange(SumSpace& space, const FacetTable& table, Contacts contacts, StageWatch& watch,
-                         std::span<const PlaneCut> cuts = {});
+                         std::span<const PlaneCut> cuts = {}, std::span<const Sheet> sheets = {});
 
 /// What of an arrangement counts: the rest is looked through.
 struct ArrangementScope {

@@ -1,9 +1,12 @@
 // Makes, of surfaces, the solid of all positions whose winding number is one of those requested.
 #pragma once
 
+#include <span>
+
 #include "dymsum/mesh.h"
 #include "dymsum/result.h"
 #include "dymsum/spatial_sum.h"
+#include "spatial/boolean/surface.h"
 #include "spatial/sum/exact_set.h"
 
 namespace dymsum::spatial {
@@ -21,6 +24,9 @@ struct InsideRule {
 
 /// Statement, errors and cost: united in solid_union.h. Method: docs/design/solid-union.md.
 Result<SpatialSum> solid_inside(const MeshData& surface, InsideRule rule, const SpatialOptions& options);
+/// The same of solids together: faces that nothing of another solid comes near are not arranged. With the engine
+/// `brute` all are.
+Result<SpatialSum> solid_inside(std::span<const DirectedSolid> solids, InsideRule rule, const SpatialOptions& options);
 /// The same of triangles with area whose vertices are fractions.
 Result<SpatialSum> solid_inside(const ExactSet& surface, InsideRule rule, const SpatialOptions& options);
 

@@ -34,11 +34,12 @@ class StageWatch {
   }
 
   /// Calls part(k) for all k below `parts`, on several threads, and in between asks progress, on the caller's thread
-  /// alone, whether to go on.
+  /// alone, whether to go on. A few parts take less than waking other threads.
   template <class F>
   void run(std::size_t parts, F part) {
+    constexpr std::size_t kFewParts = 3;
     std::atomic<std::size_t> done{0};
-    base::parallel_parts(parts, options_.threads, [&](std::size_t k) {
+    base::parallel_parts(parts, parts <= kFewParts ? 1 : options_.threads, [&](std::size_t k) {
       if (stop_.load(std::memory_order_relaxed)) throw Cancelled{};
       part(k);
       const std::size_t so_far = done.fetch_add(1, std::memory_order_relaxed) + 1;

@@ -1,6 +1,7 @@
 #include "spatial/mesh/vec3.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -146,10 +147,20 @@ std::vector<std::uint32_t> order_by_position(const std::vector<Point3>& points) 
 }
 
 std::vector<std::uint32_t> first_at_position(const std::vector<Point3>& points) {
-  const std::vector<std::uint32_t> order = order_by_position(points);
-  std::vector<std::uint32_t> first(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
+  constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<std::uint32_t> first(points.size()), slots(std::bit_ceil(2 * points.size() + 1), kNone);
+  for (std::uint32_t k = 0; k < points.size(); ++k) {
+    std::uint64_t mixed = 0;
+    // 0 and -0 are one position.
+    for (const double c : {points[k].x + 0.0, points[k].y + 0.0, points[k].z + 0.0}) {
+      mixed = (mixed ^ std::bit_cast<std::uint64_t>(c)) * 0x9e3779b97f4a7c15ULL;
+      mixed ^= mixed >> 32;
+    }
+    std::size_t at = mixed & (slots.size() - 1);
+    while (slots[at] != kNone && points[slots[at]] != points[k]) at = (at + 1) & (slots.size() - 1);
+    if (slots[at] == kNone) slots[at] = k;
+    first[k] = slots[at];
+  }
   return first;
 }
 

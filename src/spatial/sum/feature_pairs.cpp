@@ -340,7 +340,7 @@ void for_each_side(const std::vector<SpatialFace>& faces, F f) {
 
 }  // namespace
 
-std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces) {
+EdgeList edge_list(const std::vector<SpatialFace>& faces) {
   struct Side {
     std::uint32_t to, face;
     auto operator<=>(const Side&) const = default;
@@ -355,19 +355,28 @@ std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces) {
   std::vector<Side> sides(begin.back());
   std::vector<std::uint32_t> position(begin.begin(), begin.end() - 1);
   for_each_side(faces, [&](std::uint32_t a, std::uint32_t b, std::uint32_t face) { sides[position[a]++] = {b, face}; });
-  std::vector<SpatialEdge> edges;
-  edges.reserve(sides.size() / 2);
+  EdgeList list;
+  list.edges.reserve(sides.size() / 2 + 1), list.faces.reserve(sides.size());
   for (std::uint32_t a = 0; a + 1 < begin.size(); ++a) {
     const auto first = sides.begin() + begin[a], last = sides.begin() + begin[a + 1];
     std::sort(first, last);
     for (auto side = first; side != last; ++side) {
-      if (side == first || side->to != edges.back().to) {
-        edges.push_back({a, side->to, {}, std::nullopt});
-        edges.back().faces.reserve(2);
-      }
-      if (edges.back().faces.empty() || edges.back().faces.back() != side->face)
-        edges.back().faces.push_back(side->face);
+      const bool fresh = side == first || side->to != list.edges.back().to;
+      if (fresh) list.edges.push_back({a, side->to, static_cast<std::uint32_t>(list.faces.size())});
+      if (fresh || list.faces.back() != side->face) list.faces.push_back(side->face);
     }
+  }
+  list.edges.push_back({0, 0, static_cast<std::uint32_t>(list.faces.size())});
+  return list;
+}
+
+std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces) {
+  const EdgeList list = edge_list(faces);
+  std::vector<SpatialEdge> edges;
+  edges.reserve(list.size());
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const auto of = list.faces_of(k);
+    edges.push_back({list.edges[k].from, list.edges[k].to, {of.begin(), of.end()}, std::nullopt});
   }
   return edges;
 }

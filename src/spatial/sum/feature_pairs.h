@@ -91,7 +91,22 @@ class FeaturePairs {
 /// at the visit after which it goes on smallest.
 void start_at_smallest(std::vector<std::uint32_t>& loop);
 
-/// All edges with the faces that they bound, sorted; without contacts. O(n log n).
+/// All edges, sorted, with the faces that they bound, each once and ascending: those of edge k are
+/// faces[edges[k].first] to faces[edges[k + 1].first]. One more edge stands at the end. O(n log n).
+struct EdgeList {
+  struct Edge {
+    std::uint32_t from = 0, to = 0, first = 0;
+  };
+  std::vector<Edge> edges;
+  std::vector<std::uint32_t> faces;
+
+  std::size_t size() const { return edges.size() - 1; }
+  std::span<const std::uint32_t> faces_of(std::size_t k) const {
+    return {faces.data() + edges[k].first, faces.data() + edges[k + 1].first};
+  }
+};
+EdgeList edge_list(const std::vector<SpatialFace>& faces);
+/// The same as edges without contacts.
 std::vector<SpatialEdge> edges_of(const std::vector<SpatialFace>& faces);
 
 }  // namespace dymsum::spatial

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "spatial/sum/solid_boundary.h"
@@ -24,10 +25,24 @@ struct CornerContacts {
   std::vector<std::array<std::vector<SolidContact>, 2>> tight_segments;  ///< at `from` and at `to`
 };
 
+/// A face of the boundary that is none of cells: one of a sheet, with corners at all points of its loops, and of P's
+/// plus vertex 0 of Q.
+struct SheetFace {
+  std::vector<std::vector<PointId>> loops;  ///< counter-clockwise around its inside, seen from outside
+  std::uint32_t cell = 0;                   ///< that of the sheet
+  std::uint32_t face = 0;                   ///< of P's mesh
+  /// The face of P's mesh at every side of the loops, where these are several.
+  struct Side {
+    PointId from, to;
+    std::uint32_t face;
+  };
+  std::vector<Side> sides;
+};
+
 /// Fills vertices, faces, shells and tight features, in canonical order; the sum keeps the boundary's space for its
-/// exact positions. `p` and `q` give the faces and edges of the
-/// operands' meshes. `corners`: where it is not null, filled as well.
+/// exact positions. `p` and `q` give the faces and edges of the operands' meshes. Sheets have no faces but those
+/// that are listed. `corners`: where it is not null, filled as well, for sums without sheets.
 void assemble(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum,
-              StageWatch& watch, CornerContacts* corners = nullptr);
+              StageWatch& watch, std::vector<SheetFace> sheet_faces = {}, CornerContacts* corners = nullptr);
 
 }  // namespace dymsum::spatial

@@ -64,6 +64,36 @@ TEST(NearPairs, OfEqualBoxesAndPoints) {
   expect_all_pairs(std::vector<Box>(40, Box{{0, 0, 0}, {0, 0, 0}}));
 }
 
+/// Groups of boxes, some of them empty, against all pairs one by one.
+void expect_pairs_between(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& first) {
+  const SpatialOptions options;
+  SpatialStats stats;
+  StageWatch watch(options, stats);
+  const NearPairs found = near_pairs_between(boxes, first, watch);
+  const auto group = [&](std::uint32_t f) { return std::upper_bound(first.begin(), first.end(), f) - first.begin(); };
+  ASSERT_EQ(found.begin.size(), boxes.size() + 1);
+  for (std::uint32_t f = 0; f < boxes.size(); ++f) {
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t g = f + 1; g < boxes.size(); ++g)
+      if (group(f) != group(g) && overlap(boxes[f], boxes[g])) expected.push_back(g);
+    ASSERT_EQ(std::vector<std::uint32_t>(found.of(f).begin(), found.of(f).end()), expected) << "box " << f;
+  }
+}
+
+TEST(NearPairs, BetweenGroups) {
+  for (const int steps : {4, 64, 1 << 20}) {
+    expect_pairs_between(boxes(400, steps, 0.25, 1, 5), {0, 130, 400});
+    expect_pairs_between(boxes(400, steps, 0.5, 1, 6), {0, 1, 1, 200, 200, 390, 400, 400});
+    expect_pairs_between(boxes(300, steps, 0.05, 1, 7), {0, 300});
+    expect_pairs_between(boxes(60, steps, 2, 0x1p1000, 8), {0, 20, 40, 60});
+  }
+  expect_pairs_between({}, {0});
+  expect_pairs_between({}, {0, 0, 0});
+  std::vector<Box> same(120);
+  for (Box& b : same) b.add(Vec3{1, 2, 3});
+  expect_pairs_between(same, {0, 60, 100, 120});
+}
+
 // Eight million pairs of 64 MB, of which none counted.
 TEST(NearPairs, CountBeforeTheyAreHeld) {
   std::vector<Box> same(4000);
