@@ -66,6 +66,7 @@ const std::vector<std::string> kRooms = {
     "nesting",
     "placement",
     "check",
+    "uncertain",
     "shape/complex",
     "shape/disc",
     "shape/features",
