@@ -71,8 +71,7 @@ Uncertain uncertain_of(const UncertainOptions& options, const std::vector<Input>
   const Region& region = inputs[k].region;
   if (!options.tolerance.empty())
     return require_option(Uncertain::of_band(region, read_tolerances(options.tolerance)[k]), "--tolerance");
-  if (!options.fuzz.empty())
-    return require_in(Uncertain::of_rounding(region, read_fuzz(options.fuzz)[k]), inputs[k]);
+  if (!options.fuzz.empty()) return require_in(Uncertain::of_rounding(region, read_fuzz(options.fuzz)[k]), inputs[k]);
   std::vector<Region> variants{region};
   for (std::size_t i = from; i < to; ++i) variants.push_back(inputs[i].region);
   return require_in(Uncertain::of_variants(std::move(variants)), inputs[k]);
@@ -104,10 +103,10 @@ void add_uncertain_options(CLI::App& verb, UncertainOptions& options, const std:
                                       "Regions: the same where every coordinate is off by up to N units in the last "
                                       "place; with a comma for each operand");
   fuzz->type_name("N")->excludes(tolerance);
-  for (CLI::Option* variants :
-       {verb.add_option("--variants", options.variants, "Regions: the same where " + second + " may be any of these, too"),
-        verb.add_option("--first-variants", options.first_variants,
-                        "Regions: the same where " + first + " may be any of these, too")})
+  for (CLI::Option* variants : {verb.add_option("--variants", options.variants,
+                                                "Regions: the same where " + second + " may be any of these, too"),
+                                verb.add_option("--first-variants", options.first_variants,
+                                                "Regions: the same where " + first + " may be any of these, too")})
     variants->type_name("FILE...")->excludes(tolerance)->excludes(fuzz);
 }
 

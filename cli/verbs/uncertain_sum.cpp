@@ -95,8 +95,7 @@ ExitCode run_uncertain_sum(const SumVerb& verb, const SumCommand& command) {
   refuse_options(*command.parser, {"--engine", "--lines"}, "goes without --tolerance, --fuzz and --variants");
   if (!command.more.empty()) throw Stop(kUsage, "--tolerance, --fuzz and --variants are for two operands");
   for (const std::string& file : command.output.files)
-    if (is_stage_picture(file))
-      throw Stop(kUsage, file + ": sets that are not known exactly have no stages to draw");
+    if (is_stage_picture(file)) throw Stop(kUsage, file + ": sets that are not known exactly have no stages to draw");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   limit_memory(command.memory_mb);
   const UncertainOperands operands = read_uncertain(command.operands, command.uncertain, command.input);

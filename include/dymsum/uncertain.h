@@ -92,9 +92,9 @@ class Uncertain {
 // Operations take every variant of one operand with every one of the other. Known operands give what the operations of
 // regions give. Semantics are those of each of both sets. Errors: as the operations of regions.
 
-/// P (+) Q: sums of the inner and of the outer sets. Where one operand has finitely many variants without polylines and
-/// points and the other one is known, the inner set is exactly what all sums have in common, which is more than the sum
-/// of the inner sets (docs/design/uncertain.md).
+/// P (+) Q. Where both have finitely many variants (one that is known has one) and semantics are closed, the sets are
+/// exactly what the sums of all pairs have in common, which is more than the sum of the inner sets, and their union.
+/// Cost then: a sum for each pair, and Boolean operations of these, cut to where variants differ.
 Result<Uncertain> minkowski_sum(const Uncertain& p, const Uncertain& q, const SumOptions& options = {});
 /// A (+) -B, likewise.
 Result<Uncertain> nfp(const Uncertain& a, const Uncertain& b, const SumOptions& options = {});

@@ -1,11 +1,14 @@
 // Operations of uncertain regions: each set of the result comes from one set of each operand.
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "dymsum/planar_boolean.h"
 #include "dymsum/uncertain.h"
-#include "uncertain/common_sum.h"
 #include "uncertain/uncertain_internals.h"
+#include "uncertain/variant_sets.h"
 
 namespace dymsum {
 namespace {
@@ -27,44 +30,81 @@ Result<Uncertain> pairwise(Operation operation, const Uncertain& p, const Uncert
   return UncertainInternals::pair(*std::move(inner), *std::move(outer), error);
 }
 
-/// The sums of the variants of one operand with the other one, which is known.
-Result<Uncertain> sum_of_list(Operation operation, const Uncertain& list, const PlanarOperand& known, bool list_first,
-                              double error, const SumOptions& options) {
-  const auto sum = [&](const PlanarOperand& a) {
-    return list_first ? operation(a, known, options) : operation(known, a, options);
-  };
-  Result<PlanarSum> outer = sum(list.outer());
-  if (!outer) return outer.error();
-  Result<PlanarSum> inner = uncertain::common_sum(list, sum, options);
-  if (!inner) return inner.error();
-  return UncertainInternals::pair(*std::move(inner), *std::move(outer), error);
+/// All variants, where there are finitely many: those by name, or a result that both sets are.
+std::vector<PlanarOperand> all_of(const Uncertain& u) {
+  if (u.variants().empty() && UncertainInternals::is_one(u)) return {u.outer()};
+  return {u.variants().begin(), u.variants().end()};
 }
 
-bool is_list(const Uncertain& u) {
-  if (u.variants().size() < 2) return false;
-  for (const Region& variant : u.variants())
-    if (uncertain::has_thin_parts(variant)) return false;
-  return true;
+/// A box around the sums of what lies in two boxes.
+PlanarBox sum_of(const PlanarBox& a, const PlanarBox& b) {
+  return {{a.low.x + b.low.x, a.low.y + b.low.y}, {a.high.x + b.high.x, a.high.y + b.high.y}};
+}
+PlanarBox hull_of_boxes(const PlanarBox& a, const PlanarBox& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+PlanarBox box_around(const std::vector<Region>& variants) {
+  std::optional<PlanarBox> box;
+  for (const Region& variant : variants) {
+    if (variant.empty()) continue;
+    const std::array<double, 4> b = bounds(variant);
+    const PlanarBox one{{b[0], b[1]}, {b[2], b[3]}};
+    box = box ? hull_of_boxes(*box, one) : one;
+  }
+  return box.value_or(PlanarBox{});
+}
+
+/// Where sums of variants differ: in sums of a position where one operand's differ, and one of the other operand.
+/// Nothing where that is not known.
+std::optional<PlanarBox> window_of_sums(const Uncertain& p, const Uncertain& q, bool reflect) {
+  if (p.variants().empty() || q.variants().empty()) return std::nullopt;
+  const auto reflected = [&](const PlanarBox& b) {
+    return reflect ? PlanarBox{{-b.high.x, -b.high.y}, {-b.low.x, -b.low.y}} : b;
+  };
+  std::optional<PlanarBox> window;
+  if (const auto of_p = uncertain::differing_box(p.variants()))
+    window = sum_of(*of_p, reflected(box_around(q.variants())));
+  if (const auto of_q = uncertain::differing_box(q.variants())) {
+    const PlanarBox other = sum_of(box_around(p.variants()), reflected(*of_q));
+    window = window ? hull_of_boxes(*window, other) : other;
+  }
+  return window;
+}
+
+/// The sums of all variants with all, or their no-fit polygons; what they have in common, and their union.
+Result<Uncertain> sums_of_lists(Operation operation, const Uncertain& p, const Uncertain& q, bool reflect,
+                                const SumOptions& options) {
+  std::vector<PlanarSum> sums;
+  for (const PlanarOperand& a : all_of(p))
+    for (const PlanarOperand& b : all_of(q)) {
+      Result<PlanarSum> sum = operation(a, b, options);
+      if (!sum) return sum.error();
+      sums.push_back(*std::move(sum));
+    }
+  Result<uncertain::CommonAndAny> made = uncertain::common_and_any(std::vector<PlanarOperand>(sums.begin(), sums.end()),
+                                                                   window_of_sums(p, q, reflect), options);
+  if (!made) return made.error();
+  uncertain::CommonAndAny both = *std::move(made);
+  return UncertainInternals::pair(std::move(both.common), std::move(both.any), p.error() + q.error());
 }
 
 /// A sum or a no-fit polygon.
-Result<Uncertain> monotone(Operation operation, const Uncertain& p, const Uncertain& q, const SumOptions& options) {
-  if (options.semantics == Semantics::closed) {
-    if (is_list(p) && UncertainInternals::is_one(q))
-      return sum_of_list(operation, p, outer_operand(q), true, q.error(), options);
-    if (is_list(q) && UncertainInternals::is_one(p))
-      return sum_of_list(operation, q, outer_operand(p), false, p.error(), options);
-  }
+Result<Uncertain> monotone(Operation operation, const Uncertain& p, const Uncertain& q, bool reflect,
+                           const SumOptions& options) {
+  const bool one = UncertainInternals::is_one(p) && UncertainInternals::is_one(q);
+  if (options.semantics == Semantics::closed && !one && !all_of(p).empty() && !all_of(q).empty())
+    return sums_of_lists(operation, p, q, reflect, options);
   return pairwise(operation, p, q, options);
 }
 
 }  // namespace
 
 Result<Uncertain> minkowski_sum(const Uncertain& p, const Uncertain& q, const SumOptions& options) {
-  return monotone(minkowski_sum, p, q, options);
+  return monotone(minkowski_sum, p, q, false, options);
 }
 Result<Uncertain> nfp(const Uncertain& a, const Uncertain& b, const SumOptions& options) {
-  return monotone(nfp, a, b, options);
+  return monotone(nfp, a, b, true, options);
 }
 
 // Pieces without area of what all variants of P have in common hold no part with area: they are left out.

@@ -10,6 +10,7 @@
 #include "dymsum/set_check.h"
 #include "uncertain/disc_polygons.h"
 #include "uncertain/uncertain_internals.h"
+#include "uncertain/variant_sets.h"
 
 namespace dymsum {
 
@@ -91,12 +92,11 @@ Result<Uncertain> Uncertain::of_variants(std::vector<Region> variants, const Pro
   if (variants.size() == 1) return known(variants[0]);
   SumOptions options;
   options.progress = progress;
-  const std::vector<PlanarOperand> sets(variants.begin(), variants.end());
-  Result<PlanarSum> inner = intersection(sets, options);
-  if (!inner) return inner.error();
-  Result<PlanarSum> outer = united(sets, options);
-  if (!outer) return outer.error();
-  return UncertainInternals::list(*std::move(inner), *std::move(outer), std::move(variants));
+  Result<uncertain::CommonAndAny> made = uncertain::common_and_any(
+      std::vector<PlanarOperand>(variants.begin(), variants.end()), uncertain::differing_box(variants), options);
+  if (!made) return made.error();
+  uncertain::CommonAndAny both = *std::move(made);
+  return UncertainInternals::list(std::move(both.common), std::move(both.any), std::move(variants));
 }
 
 Result<Uncertain> Uncertain::of_band(const Region& nominal, const Tolerance& tolerance) {
