@@ -103,7 +103,8 @@ ExitCode run_uncertain_sum(const SumVerb& verb, const SumCommand& command) {
   SumOptions options;
   options.semantics = named<Semantics>(command.semantics);
   options.memory = memory_bytes(command.memory_mb);
-  std::optional<ProgressBar> bar(std::in_place);
+  std::optional<ProgressBar> bar;
+  bar.emplace();
   options.progress = bar->callback();
   const auto [found, timing] = timed(command.report.repeat, [&] {
     Computed made = computed(verb, operands, options);

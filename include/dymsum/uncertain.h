@@ -30,7 +30,7 @@ struct Tolerance {
 /// what the variants have in common: two operands that vary together are taken as if they varied on their own, so what
 /// is said of their results is right, but may be wider than it needs to be.
 ///
-/// A value; copies share the sets. Thread-safe.
+/// A value; copies have one copy of the sets. Thread-safe.
 class Uncertain {
  public:
   /// A region that is known: it is the only variant. Errors: as united.
@@ -63,7 +63,7 @@ class Uncertain {
   /// s times the region for s from low to high: exact. Errors: as ScalingFamily.
   static Result<Uncertain> of_scales(const Region& nominal, const Scale& low, const Scale& high);
   /// The region turned about the origin by an angle from a counter-clockwise to b, within `distance` of the exact sets;
-  /// where a == b the turned region itself. Errors: as outer_rotated_sum; unsupported_operand for polylines and points.
+  /// where a == b that region itself. Errors: as outer_rotated_sum; unsupported_operand for polylines and points.
   static Result<Uncertain> of_angles(const Region& nominal, const Orientation& a, const Orientation& b,
                                      double distance);
 

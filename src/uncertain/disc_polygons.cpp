@@ -15,13 +15,13 @@ double unit_of(double radius) { return std::ldexp(1.0, std::ilogb(radius) - 26);
 
 double radians_of(int half_steps, int sides) { return half_steps * std::numbers::pi / sides; }
 
-/// A quarter turn of vertices, four times.
+/// A quarter of the vertices, rotated to all four.
 Region of_quarter(const Ring& quarter) {
   Part polygon;
-  for (int turn = 0; turn < 4; ++turn)
+  for (int quadrant = 0; quadrant < 4; ++quadrant)
     for (const Point& p : quarter) {
-      const Point turned[] = {p, {-p.y, p.x}, {-p.x, -p.y}, {p.y, -p.x}};
-      polygon.outer.push_back(turned[turn]);
+      const Point rotated[] = {p, {-p.y, p.x}, {-p.x, -p.y}, {p.y, -p.x}};
+      polygon.outer.push_back(rotated[quadrant]);
     }
   return Region::create({{polygon}, {}, {}}).value();
 }

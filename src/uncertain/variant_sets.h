@@ -1,4 +1,4 @@
-// What finitely many sets have in common, and their union, where they differ only in places.
+// What finitely many sets have in common, and their union, where they differ only here and there.
 #pragma once
 
 #include <optional>

@@ -25,6 +25,7 @@
 #include "dymsum/solid_erosion.h"
 #include "dymsum/solid_offset.h"
 #include "dymsum/spatial_trace.h"
+#include "dymsum/uncertain_answers.h"
 
 namespace dymsum::names {
 namespace {
@@ -62,6 +63,7 @@ std::vector<Enumerators> enumerations() {
           of<FeatureBar::Death>("Death"),
           of<Fill>("Fill"),
           of<FrameMode>("FrameMode"),
+          of<Holds>("Holds"),
           of<LayoutFault::Kind>("Kind"),
           of<LayoutFormat>("LayoutFormat"),
           of<LocalEngine>("LocalEngine"),
