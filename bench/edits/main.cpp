@@ -111,11 +111,22 @@ void write_row(Report& report, const std::string& name, int vertices, const Row&
   if (row.different != 0) bad.push_back(name);
 }
 
+// P is edited. First those that are promised, with their usual partners.
 std::vector<ScalingPair> edited_pairs(const std::string& data) {
-  std::vector<ScalingPair> pairs;
-  for (ScalingPair& pair : sweep_pairs(data, Snapping::raw))
-    if (pair.name != "star 500 + star 500") pairs.push_back(std::move(pair));
-  pairs.push_back({"grate 12 + grate 12", shapes::grate(12, 1, 1, 23), shapes::grate(12, 1, 0.5, 12), false});
+  std::vector<ScalingPair> pairs, others = sweep_pairs(data, Snapping::raw);
+  const auto find = [&](const std::string& name) -> const ScalingPair& {
+    return *std::find_if(others.begin(), others.end(), [&](const ScalingPair& pair) { return pair.name == name; });
+  };
+  if (!data.empty()) {
+    const ScalingPair monkey = find("monkey + bird"), dog = find("dog + bird"), neuron = find("neuron + egg");
+    pairs.push_back(monkey);
+    pairs.push_back({"neuron + disc 32", neuron.p, shapes::disc(32, 1, shapes::demo_snap(1)), false});
+    pairs.push_back({"bird + dog", dog.q, dog.p, false});
+  }
+  pairs.push_back({"star 200 + star 200", shapes::noisy_star(200, 0.5, 1), shapes::noisy_star(200, 0.5, 2), false});
+  for (ScalingPair& pair : others)
+    if (pair.name != "star 500 + star 500" && pair.name != "monkey + bird") pairs.push_back(std::move(pair));
+  pairs.push_back({"grate 12 + grate 12", shapes::grate(12, 2, 1, 23), shapes::grate(12, 1, 0.5, 12), false});
   return pairs;
 }
 

@@ -5,6 +5,7 @@
 #include "coordinate_kinds.h"
 #include "dymsum/shapes.h"
 #include "families/measure.h"
+#include "families/solids.h"
 #include "page.h"
 #include "planar/pairs.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr const char* kUsage =
     "dymsum_bench_families [--coordinates KIND] [--only TEXT] [--part NAME] [--results DIR]\n"
     "  --only TEXT    only pairs whose name contains TEXT\n"
-    "  --part NAME    only one of: making, turning, table\n"
+    "  --part NAME    only one of: making, turning, table, solids\n"
     "  --results DIR  also write families.md into DIR\n";
 
 struct Options {
@@ -161,6 +162,10 @@ int run(int argc, char** argv) {
     if (options.wants("making")) making(report, options, data, kind);
     if (options.wants("turning")) turning(report, options, data, kind);
     if (options.wants("table")) table_6_1(report, options, kind);
+    if (options.wants("solids") && !kind) {
+      measure_solid_scalings(report, options.only, data);
+      measure_solid_turns(report, options.only, data);
+    }
     write_result(KindOptions::folder(options.results, kind), "families.md", report.markdown.str());
   }
   return 0;

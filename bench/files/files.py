@@ -31,7 +31,8 @@ NEAR, MOSTLY = 1e-12, 0.99  # of the size; of the results
 INTRODUCTION = """Solids made by one to five Boolean operations of boxes, cylinders and spheres in doubles, and meshes with the
 defects that exporters leave, each in double and in single precision: which of them are accepted, with `--repair` or without, and
 which results are written and found sound by another program. What is written is rounded: how far it is at most from the exact
-result, as a fraction of its size, the command line tells. This page: `./run bench files --results docs/results`.
+result, as a fraction of its size, the command line tells. Of every tenth file: what writing takes in time of a processor, the
+command with `-o` less the command without, over what the result itself takes. This page: `./run bench files --results docs/results`.
 """
 
 
@@ -319,6 +320,16 @@ def run(arguments, folder, limit):
     return done.returncode, (done.stderr.strip().splitlines() or [""])[-1][:160], done.stdout
 
 
+def processor_time(arguments, folder):
+    """Of the command, the least of three runs."""
+    least = math.inf
+    for _ in range(3):
+        process = subprocess.Popen([DYMSUM, *arguments], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        _, _, used = os.wait4(process.pid, 0)
+        least = min(least, used.ru_utime + used.ru_stime)
+    return least
+
+
 # Every result is written, and the command's report told as JSON.
 COMMANDS = {
     "sum with a ball": ("sum", "{}", "ball.off"),
@@ -337,6 +348,7 @@ class Survey:
         self.written = collections.Counter()
         self.sound = collections.Counter()
         self.deviations = collections.defaultdict(list)
+        self.writing = collections.defaultdict(list)
         self.against = []
 
     def take(self, group, name, points, faces):
@@ -367,6 +379,10 @@ class Survey:
             self.written[group, verb] += 1
             report = json.loads(text)
             self.deviations[group].append(deviation(report, out))
+            if self.files[group] % 10 == 1:
+                alone = processor_time(arguments[:-2], self.folder)
+                written = max(processor_time(arguments, self.folder) - alone, 1e-4)
+                self.writing[group].append(written / max(report["time_ms"]["median"] / 1000, 1e-4))
             wrong = verdict_of_another_program(out, report["volume"])
             if wrong is None:
                 code, complaint, _ = run(["info", out.name], self.folder, self.options.limit)
@@ -385,7 +401,14 @@ class Survey:
                 " | ".join(f"{self.written[group, verb]}, {self.sound[group, verb]} of {self.tried[group, verb]}" for verb in COMMANDS) + " |"
                 for group, n in self.files.items()]
         return head + rows + ["", "| files | results | from the exact one, median | p99 | largest | within 1e-12 |", "|---" * 6 + "|",
-                              *(self.deviation_row(group) for group in self.files if self.deviations[group])]
+                              *(self.deviation_row(group) for group in self.files if self.deviations[group]), "",
+                              "| files | results | writing over the result's time, geometric mean | median | worst |", "|---" * 5 + "|",
+                              *(self.writing_row(group) for group in self.files if self.writing[group])]
+
+    def writing_row(self, group):
+        ratios = sorted(self.writing[group])
+        mean = math.exp(sum(map(math.log, ratios)) / len(ratios))
+        return f"| {group} | {len(ratios)} | {mean:.2f} | {ratios[len(ratios) // 2]:.2f} | {ratios[-1]:.1f} |"
 
     def deviation_row(self, group):
         all_of_them = sorted(self.deviations[group])

@@ -42,22 +42,22 @@ struct RotationRange {
 /// FROM:TO, angles as of --angle.
 RotationRange read_range(const std::string& text, const TurnAxis& axis) {
   const std::size_t colon = text.find(':');
-  std::array<AxisTurn, 2> turns;
+  std::array<AxisTurn, 2> ends;
   std::array<Angle, 2> angles;
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string part = k == 0 ? text.substr(0, colon) : text.substr(std::min(colon, text.size() - 1) + 1);
     const std::optional<Angle> angle = colon == std::string::npos ? std::nullopt : angle_in(part);
     if (!angle) throw Stop(kUsage, "--range wants FROM:TO, such as 0:0.5 or 30deg:45deg, not '" + text + "'");
-    turns[k] = require_option(AxisTurn::nearest(axis, angle->radians()), "--axis");
+    ends[k] = require_option(AxisTurn::nearest(axis, angle->radians()), "--axis");
     angles[k] = *angle;
   }
-  const double turn = angles[0].degrees ? 360 : 2 * std::numbers::pi;
+  const double circle = angles[0].degrees ? 360 : 2 * std::numbers::pi;
   if (angles[0].degrees != angles[1].degrees) throw Stop(kUsage, "--range wants both ends in the same unit: " + text);
   const double way = (angles[1].exact - angles[0].exact).to_double();
-  if (std::abs(way) > turn) throw Stop(kUsage, "--range wants ends that are at most a turn apart: " + text);
-  if (-way == turn) throw Stop(kUsage, "--range goes counter-clockwise: a whole turn ends at FROM + 360deg: " + text);
+  if (std::abs(way) > circle) throw Stop(kUsage, "--range wants ends that are at most a turn apart: " + text);
+  if (-way == circle) throw Stop(kUsage, "--range goes counter-clockwise: a whole turn ends at FROM + 360deg: " + text);
   const AxisTurn opposite = require_option(AxisTurn::nearest(axis, angles[0].radians() + std::numbers::pi), "--axis");
-  return {turns[0], turns[1], opposite, way == turn};
+  return {ends[0], ends[1], opposite, way == circle};
 }
 
 Json turn_json(const AxisTurn& turn) { return turn.is_half_turn() ? "inf" : turn.t().to_string(); }
@@ -112,22 +112,22 @@ std::vector<SolidRotationEvent> find_events(const SolidRotationEvents& sum, cons
   return require(range.whole_turn ? sum.events_of_turn(progress) : sum.events(range.from, range.to, progress));
 }
 
-/// An event of the rotation from zero to `turn`.
-MotionEvent motion_event(const SolidRotationEvent& event, double turn) {
+/// An event of the rotation from zero to `angle`.
+MotionEvent motion_event(const SolidRotationEvent& event, double angle) {
   const double whole = 2 * std::numbers::pi;
   double at = event.approx;
-  if (turn >= 0 && at < 0) at += whole;
-  if (turn < 0 && at > 0) at -= whole;
+  if (angle >= 0 && at < 0) at += whole;
+  if (angle < 0 && at > 0) at -= whole;
   return {at, rotation_event_line(event), rotation_event_json(event)};
 }
 
 }  // namespace
 
 std::vector<MotionEvent> rotation_events(const std::vector<SolidInput>& inputs, const std::string& axis_text,
-                                         const Angle& turn) {
+                                         const Angle& angle) {
   const TurnAxis axis = read_axis(axis_text);
-  const double radians = turn.radians(), whole = turn.degrees ? 360 : 2 * std::numbers::pi;
-  const double way = turn.exact.to_double();
+  const double radians = angle.radians(), whole = angle.degrees ? 360 : 2 * std::numbers::pi;
+  const double way = angle.exact.to_double();
   if (std::abs(way) > whole) throw Stop(kUsage, "--events wants a turn of at most 360 degrees");
   const InterruptGuard guard;
   ProgressBar bar;

@@ -12,6 +12,7 @@ namespace dymsum::cli {
 void add_sum(CLI::App& app, Action& action);
 void add_nfp(CLI::App& app, Action& action);
 void add_erode(CLI::App& app, Action& action);
+void add_edit(CLI::App& app, Action& action);
 void add_union(CLI::App& app, Action& action);
 void add_intersect(CLI::App& app, Action& action);
 void add_subtract(CLI::App& app, Action& action);

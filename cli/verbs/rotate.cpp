@@ -35,10 +35,10 @@ Angle whole_angle(const RotateCommand& command) {
 /// The angles of frames, from zero to the end of the rotation in equal steps. The end of a whole one is its beginning,
 /// and shown once.
 std::vector<Angle> frame_angles(const RotateCommand& command) {
-  const Angle turn = whole_angle(command);
+  const Angle whole = whole_angle(command);
   std::vector<Angle> angles;
-  for (std::size_t k = 0; k < command.steps + (turn.whole_turns() ? 0 : 1); ++k)
-    angles.push_back(turn.fraction(k, command.steps));
+  for (std::size_t k = 0; k < command.steps + (whole.whole_turns() ? 0 : 1); ++k)
+    angles.push_back(whole.fraction(k, command.steps));
   return angles;
 }
 
@@ -75,11 +75,11 @@ ExitCode run(const RotateCommand& command) {
   refuse_options(*command.parser, {"--axis", "--frame", "--events", "--range", "--next", "--next-topology"},
                  "is for solid operands");
   if (command.steps == 0) throw Stop(kUsage, "give --steps N");
-  PlanarRotation turn = command.planar;
-  turn.angles = frame_angles(command);
-  turn.error = command.error.value_or(turn.error);
-  turn.semantics = command.semantics.value_or(turn.semantics);
-  return run_planar_rotation(turn);
+  PlanarRotation rotation = command.planar;
+  rotation.angles = frame_angles(command);
+  rotation.error = command.error.value_or(rotation.error);
+  rotation.semantics = command.semantics.value_or(rotation.semantics);
+  return run_planar_rotation(rotation);
 }
 
 }  // namespace

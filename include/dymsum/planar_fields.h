@@ -1,6 +1,7 @@
 // Fields of what planar sums report.
 #pragma once
 
+#include "dymsum/editable_sum.h"
 #include "dymsum/family.h"
 #include "dymsum/field.h"
 #include "dymsum/frames.h"
@@ -62,6 +63,22 @@ inline constexpr auto kFields<FrameWork> =
              &FrameWork::crossings_changed, &FrameWork::loops_traced, &FrameWork::loops_kept, &FrameWork::witnessed,
              &FrameWork::witnesses_lost, &FrameWork::collision_tests, &FrameWork::exact_signs, &FrameWork::window_low,
              &FrameWork::window_high, &FrameWork::ms, &FrameWork::peak_bytes>;
+
+template <>
+inline constexpr std::tuple kFields<EditWork>{
+    Field<&EditWork::rebuilt>{"from scratch"},
+    Field<&EditWork::degenerate>{"something touches that shows: the result is from scratch"},
+    Field<&EditWork::segments_removed>{},
+    Field<&EditWork::segments_added>{},
+    Field<&EditWork::cells_changed>{},
+    Field<&EditWork::cells_uncovered>{},
+    Field<&EditWork::pairs_tested>{},
+    Field<&EditWork::events_changed>{},
+    Field<&EditWork::loops_traced>{},
+    Field<&EditWork::loops_kept>{},
+    Field<&EditWork::collision_tests>{},
+    Field<&EditWork::exact_signs>{},
+    Field<&EditWork::ms>{"wall time"}};
 
 template <>
 inline constexpr std::tuple kFields<RingChange>{Field<&RingChange::kind>{}, Field<&RingChange::ring>{"identity"},

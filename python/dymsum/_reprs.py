@@ -31,6 +31,14 @@ def _turn(value: Any) -> str:
     return f"<RotationFamily: {value.work().cells} cells>"
 
 
+def _solid_family(value: Any) -> str:
+    return f"<SolidScalingFamily: {value.low().exact()} to {value.high().exact()}, {value.work().cells} cells>"
+
+
+def _solid_turn(value: Any) -> str:
+    return f"<SolidRotationFamily: {value.work().cells} cells>"
+
+
 def _region_data(value: Any) -> str:
     return f"<RegionData: {len(value.parts)} parts, {len(value.polylines)} polylines, {len(value.points)} points>"
 
@@ -41,4 +49,6 @@ for _kind in list(vars(_core).values()):
 setattr(_core.CspaceObstacle, "__repr__", _obstacle)
 setattr(_core.ScalingFamily, "__repr__", _family)
 setattr(_core.RotationFamily, "__repr__", _turn)
+setattr(_core.SolidScalingFamily, "__repr__", _solid_family)
+setattr(_core.SolidRotationFamily, "__repr__", _solid_turn)
 setattr(_core.RegionData, "__repr__", _region_data)

@@ -39,6 +39,7 @@ void bind_named_repairs(nb::module_& m);
 void bind_moving_solids(nb::module_& m);
 void bind_scaling_solids(nb::module_& m);
 void bind_turning_solids(nb::module_& m);
+void bind_solid_families(nb::module_& m);
 void bind_convex_sum(nb::module_& m);
 void bind_convex_solid(nb::module_& m);
 void bind_depth(nb::module_& m);

@@ -1,9 +1,12 @@
 // Planar sums that follow edits of their operands.
 #include "dymsum/editable_sum.h"
 
+#include <optional>
+
 #include "arguments.h"
 #include "bind.h"
 #include "calls.h"
+#include "dymsum/edit_script.h"
 #include "enumeration.h"
 #include "held.h"
 #include "record.h"
@@ -61,20 +64,7 @@ void bind_options(nb::module_& m) {
       .option("mode", &EditOptions::mode)
       .option("undo_steps", &EditOptions::undo_steps, "that are kept")
       .option("progress", &EditOptions::progress);
-  Record<EditWork>(m, "EditWork", "The work of one step.")
-      .field("rebuilt", &EditWork::rebuilt, "from scratch")
-      .field("degenerate", &EditWork::degenerate, "something touches that shows: the result is from scratch")
-      .field("segments_removed", &EditWork::segments_removed)
-      .field("segments_added", &EditWork::segments_added)
-      .field("cells_changed", &EditWork::cells_changed)
-      .field("cells_uncovered", &EditWork::cells_uncovered)
-      .field("pairs_tested", &EditWork::pairs_tested)
-      .field("events_changed", &EditWork::events_changed)
-      .field("loops_traced", &EditWork::loops_traced)
-      .field("loops_kept", &EditWork::loops_kept)
-      .field("collision_tests", &EditWork::collision_tests)
-      .field("exact_signs", &EditWork::exact_signs)
-      .field("ms", &EditWork::ms, "wall time");
+  Record<EditWork>(m, "EditWork", "The work of one step.").listed();
 }
 
 /// An EditableSum with the watch whose Progress it keeps.
@@ -98,13 +88,20 @@ struct Editing {
       return watch.take(without_gil([&] { return work(sum); }));
     });
   }
-  FrameChanges edit(const std::vector<Edit>& edits) {
-    return run([&](EditableSum& sum) { return sum.edit(edits); });
+  FrameChanges step(const ScriptStep& step) {
+    FrameChanges changes = run([&](EditableSum& sum) { return make_step(sum, step); });
+    if (recording) held.alone([&](EditableSum& sum) { record_step(*recording, step, sum); });
+    return changes;
+  }
+  FrameChanges edit(const std::vector<Edit>& edits) { return step({ScriptAction::edit, edits, 0}); }
+  EditRecording begin() {
+    return held.alone([&](EditableSum& sum) { return begin_recording(sum, options); });
   }
 
   EditOptions options;
   Watch watch;
   Held<EditableSum> held;
+  std::optional<EditRecording> recording;  ///< of all steps since record()
 };
 
 /// The edits of one `with sum.edit() as e`.
@@ -179,8 +176,24 @@ void bind_sum(nb::module_& m) {
           "edit", [](Editing& self, const std::vector<Edit>& edits) { return self.edit(edits); }, "edits"_a,
           "Makes all edits as one step. Raises Error: out_of_range, those of Region.create, cancelled; nothing changes "
           "then.")
-      .def("undo", [](Editing& self) { return self.run([](EditableSum& sum) { return sum.undo(); }); })
-      .def("redo", [](Editing& self) { return self.run([](EditableSum& sum) { return sum.redo(); }); })
+      .def("undo",
+           [](Editing& self) {
+             return self.step({ScriptAction::undo, {}, 0});
+           })
+      .def("redo",
+           [](Editing& self) {
+             return self.step({ScriptAction::redo, {}, 0});
+           })
+      .def(
+          "record", [](Editing& self) { self.recording = self.begin(); },
+          "From here on steps are recorded. Raises ValueError where there are steps to undo or to redo.")
+      .def(
+          "recording",
+          [](Editing& self) {
+            if (!self.recording) throw nb::value_error("recording: record() was not called");
+            return *self.recording;
+          },
+          "What was recorded so far.")
       .def("undo_count",
            [](Editing& self) { return self.held.alone([](EditableSum& sum) { return sum.undo_count(); }); })
       .def("redo_count",
@@ -213,13 +226,75 @@ void bind_sum(nb::module_& m) {
       });
 }
 
+void bind_script(nb::module_& m) {
+  enumeration<ScriptAction>(m, "ScriptAction", "What a step of a script does.");
+  Record<ScriptStep>(m, "ScriptStep", "A step of a script.")
+      .field("action", &ScriptStep::action)
+      .field("edits", &ScriptStep::edits)
+      .field("line", &ScriptStep::line, "on which it begins, from 1; 0 where it was not read");
+  m.def(
+      "parse_script", [](const std::string& text, const std::string& name) { return take(parse_script(text, name)); },
+      "text"_a, "name_for_errors"_a = "", "The steps of a script. Raises Error: malformed, with the line.");
+  m.def(
+      "format_script", [](const std::vector<ScriptStep>& steps) { return format_script(steps); }, "steps"_a,
+      "A script of these steps; nothing is rounded.");
+}
+
+void bind_recording(nb::module_& m) {
+  Record<EditRecording>(m, "EditRecording", "All that it takes to make a session again, and its hashes.")
+      .field("p", &EditRecording::p, "before the first step")
+      .field("q", &EditRecording::q)
+      .field("semantics", &EditRecording::semantics)
+      .field("reflect_q", &EditRecording::reflect_q)
+      .field("mode", &EditRecording::mode)
+      .field("undo_steps", &EditRecording::undo_steps)
+      .field("steps", &EditRecording::steps)
+      .field("hashes", &EditRecording::hashes, "of the sum before the first step, and after each");
+  Record<EditReplay>(m, "EditReplay", "What came of making a session again.")
+      .field("steps", &EditReplay::steps, "that were made")
+      .field("differs", &EditReplay::differs, "the first step after which the sum is another one, or None")
+      .field("refused", &EditReplay::refused, "where that step is refused, why");
+  m.def("format_recording", &format_recording, "recording"_a, "The recording as text; nothing is rounded.");
+  m.def(
+      "parse_recording",
+      [](const std::string& text, const std::string& name) { return take(parse_recording(text, name)); }, "text"_a,
+      "name_for_errors"_a = "", "Raises Error: truncated, malformed, those of Region.create.");
+  m.def(
+      "read_recording", [](const PathArgument& path) { return take(read_recording(path.text)); }, "path"_a,
+      "The recording of a file, also a compressed one.");
+  m.def(
+      "replay",
+      [](const EditRecording& recording, const Progress& progress) {
+        return run(progress, [&](const Progress& own) { return replay(recording, own); });
+      },
+      "recording"_a, "progress"_a = nb::none(), "Makes a session again and compares hash after hash.");
+}
+
+void bind_steps(nb::module_& m) {
+  m.def(
+      "make_step", [](Editing& sum, const ScriptStep& step) { return sum.step(step); }, "sum"_a, "step"_a,
+      "One step of a sum: edit, undo or redo.");
+  m.def(
+      "begin_recording", [](Editing& sum) { return sum.begin(); }, "sum"_a,
+      "A recording that begins with the state of a sum; EditableSum.record() does it for you.");
+  m.def(
+      "record_step",
+      [](EditRecording& recording, const ScriptStep& step, Editing& sum) {
+        sum.held.alone([&](EditableSum& held) { record_step(recording, step, held); });
+      },
+      "recording"_a, "step"_a, "sum"_a, "Adds a step that the sum has made.");
+}
+
 }  // namespace
 
 void bind_edited_sum(nb::module_& m) {
   bind_edit(m);
+  bind_script(m);
   bind_options(m);
   bind_step(m);
+  bind_recording(m);
   bind_sum(m);
+  bind_steps(m);
 }
 
 }  // namespace dymsum::python

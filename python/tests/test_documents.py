@@ -49,7 +49,7 @@ COMMON = """minkowski_sum nfp nfp_each erode union_of rotated_sum contains conta
 PlanarSum.rounded Region area bounds negated translated scaled repair grown parse_shapes format_region ScalingSum RotatingSum
 ScalingFamily RotationFamily Scale Orientation Orientation.of_degrees Rotation Rotation.about_degrees AxisTurn scale_range CspaceObstacle
 cspace_slice ObstacleQueries ObstacleQueries.free_angles check_translation plan Mesh volume convex_hull ConvexSum
-SpatialSum opening slice_of_sum MovingSolidSum posed_sums SolidScaleEvents SolidRotationEvents SolidDepth PlanarDepth
+SpatialSum opening slice_of_sum MovingSolidSum posed_sums SolidScaleEvents SolidRotationEvents SolidScalingFamily SolidRotationFamily SolidDepth PlanarDepth
 penetration_depth depth_batch ContinuousDepth NfpTable parse_nesting_instance GrowingDisc ShapeFeatures decompose""".split()
 
 

@@ -71,6 +71,8 @@ def samples() -> list[Any]:
         dymsum.RotatingSum(unit, unit),
         dymsum.ScalingFamily(unit, unit, 1, 2),
         dymsum.RotationFamily(unit, unit),
+        dymsum.SolidScalingFamily(box, box, 1, 2),
+        dymsum.SolidRotationFamily(box, box, (0, 0, 1)),
         dymsum.fit_range(unit, unit),
         dymsum.GrowingDisc(unit),
         dymsum.GrowingDisc(unit).sum_at(1),

@@ -68,6 +68,7 @@ OPTIONS = [
     dymsum.TableOptions,
     dymsum.MovingSolidOptions,
     dymsum.FamilyOptions,
+    dymsum.SolidFamilyOptions,
 ]
 
 

@@ -178,7 +178,7 @@ def test_colours_are_the_numbers_that_were_given() -> None:
 
 OPTIONS = (
     "SumOptions MovingOptions SpatialOptions PlanOptions ObstacleOptions BatchOptions ObstacleMeshOptions "
-    "TableOptions MovingSolidOptions FamilyOptions"
+    "TableOptions MovingSolidOptions FamilyOptions SolidFamilyOptions"
 )
 
 

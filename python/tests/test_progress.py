@@ -27,6 +27,7 @@ TURNING = dymsum.SolidRotationEvents(ANGLE, BOX, (0, 0, 1))
 TURN, FURTHER = dymsum.AxisTurn.of(Fraction(3, 10)), dymsum.AxisTurn.of(Fraction(3, 8))
 LOCATOR = dymsum.SumLocator(dymsum.minkowski_sum(P, Q))
 FEATURES = dymsum.ShapeFeatures(P)
+RECORDING = dymsum.begin_recording(dymsum.EditableSum(P, Q))
 THETA = dymsum.Orientation.nearest(0.3)
 POSE = dymsum.SolidPose(dymsum.Rotation.of(5, 1, 2, 1))
 POINTS = numpy.random.default_rng(1).uniform(-2, 2, (5000, 2))
@@ -44,6 +45,10 @@ def planar(progress: Progress) -> dymsum.SumOptions:
 
 def solid(progress: Progress) -> dymsum.SpatialOptions:
     return dymsum.SpatialOptions(progress=progress)
+
+
+def family_of(progress: Progress) -> dymsum.SolidFamilyOptions:
+    return dymsum.SolidFamilyOptions(progress=progress)
 
 
 def moving(progress: Progress) -> dymsum.MovingOptions:
@@ -98,6 +103,7 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("ScalingSum", lambda f: dymsum.ScalingSum.create(P, Q, moving(f))),
     ("EditableSum", lambda f: dymsum.EditableSum(P, Q, dymsum.EditOptions(progress=f))),
     ("EditableSum", lambda f: dymsum.EditableSum.create(P, Q, dymsum.EditOptions(progress=f))),
+    ("replay", lambda f: dymsum.replay(RECORDING, f)),
     ("ScalingSum.events", lambda f: dymsum.ScalingSum(P, Q).events(1, Fraction(9, 8), f)),
     ("ScalingSum.next_event", lambda f: dymsum.ScalingSum(P, Q).next_event(1, 8, dymsum.EventChange.topology, f)),
     ("RotationFamily", lambda f: dymsum.RotationFamily(P, Q, dymsum.FamilyOptions(progress=f))),
@@ -120,6 +126,14 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
         lambda f: dymsum.SolidScaleEvents(ANGLE, BOX).next_topology_change(1, 2, progress=f),
     ),
     ("SolidScaleEvents.combinatorial_hash", lambda f: dymsum.SolidScaleEvents(ANGLE, BOX).combinatorial_hash(2, f)),
+    ("SolidScalingFamily", lambda f: dymsum.SolidScalingFamily(ANGLE, BOX, 1, 2, family_of(f))),
+    ("SolidScalingFamily", lambda f: dymsum.SolidScalingFamily.create(ANGLE, BOX, 1, 2, family_of(f))),
+    ("SolidScalingFamily.at", lambda f: dymsum.SolidScalingFamily(ANGLE, BOX, 1, 2).at(2, f)),
+    ("SolidScalingFamily.lifetimes", lambda f: dymsum.SolidScalingFamily(ANGLE, BOX, 1, 2).lifetimes(f)),
+    ("SolidScalingFamily.volume_polynomial", lambda f: dymsum.SolidScalingFamily(ANGLE, BOX, 1, 2).volume_polynomial(2, f)),
+    ("SolidRotationFamily", lambda f: dymsum.SolidRotationFamily(ANGLE, BOX, (0, 0, 1), options=family_of(f))),
+    ("SolidRotationFamily", lambda f: dymsum.SolidRotationFamily.create(ANGLE, BOX, (0, 0, 1), options=family_of(f))),
+    ("SolidRotationFamily.at", lambda f: dymsum.SolidRotationFamily(ANGLE, BOX, (0, 0, 1)).at(TURN, f)),
     ("solid_scale_range", lambda f: dymsum.solid_scale_range(BOX, [(0, 0, 9), (0, 0, -9)], ANGLE, f)),
     ("solid_fit_range", lambda f: dymsum.solid_fit_range(BOX, ANGLE, f)),
     ("solid_fit_range", lambda f: dymsum.solid_fit_range(BOX, ANGLE, (0.1, 0.1, 0.1), f)),

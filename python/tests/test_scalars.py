@@ -73,6 +73,8 @@ def made() -> dict[str, Any]:
         dymsum.MovingSolidSum(MESH, MESH),
         dymsum.SolidScaleEvents(MESH, MESH),
         dymsum.SolidRotationEvents(MESH, MESH, (0, 0, 1)),
+        dymsum.SolidScalingFamily(MESH, MESH, 1, 2),
+        dymsum.SolidRotationFamily(MESH, MESH, (0, 0, 1)),
         dymsum.SolidDepth(MESH, MESH),
         dymsum.PlanarDepth(REGION, REGION),
         dymsum.DiscRadius(1),

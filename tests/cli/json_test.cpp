@@ -116,6 +116,8 @@ const std::vector<Case> kCases = {
     {"planar_local_sum", "local-sum frame.wkt square.wkt --disc 0,1,0.5"},
     {"planar_local_sum", "local-sum frame.wkt peg.wkt --box 0,0,1,1 --engine brute --degrees 30"},
     {"local_sum", "local-sum ell.off cube.off --box 1,1,1,2,2,2 --engine hierarchy"},
+    {"edit", "edit slot.wkt peg.wkt edits.txt --keep-going", 4},
+    {"edit_replay", "edit --replay session.json"},
     {"info", "info two.wkt"},
     {"info", "info bow.wkt", 2},
     {"solid_info", "info cube.off"},
@@ -172,7 +174,9 @@ class JsonReports : public CliTest {
         "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n");
     work.write("open.off", kOpen);
     work.write("cut.off", "OFF\n8 6 12\n0 0 0\n");
+    work.write("edits.txt", "q move 0 0.125 0\n{\np remove 0\np move 0 -9 4\n}\nundo\nundo\nundo\n");
     work.run("dymsum sum square.wkt peg.wkt -o sum.json");
+    work.run("dymsum edit square.wkt peg.wkt edits.txt --keep-going --record session.json");
     work.run("dymsum sum ell.off cube.off -o solid_sum.json");
   }
   Json schema;

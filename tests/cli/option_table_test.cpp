@@ -91,6 +91,8 @@ class OptionTable : public testing::TestWithParam<Section> {
              {"places.txt", "3,3\n"},
              {"moves.txt", "0.25,0,0\n9,9,9\n"},
              {"heights.txt", "1/3,9,9\n"},
+             {"edits.txt", "q move 0 0.125 0\nundo\n"},
+             {"session.json", session()},
              {"slot.obstacle", obstacle()},
              {"slot.family", family()},
              {"viewer.html", kViewer}})
@@ -115,6 +117,17 @@ class OptionTable : public testing::TestWithParam<Section> {
   }
   static std::string family() {
     static const std::string text = made_by("dymsum family peg.wkt slot.wkt --scale 1/2:2", "slot.family");
+    return text;
+  }
+  static std::string session() {
+    static const std::string text = [] {
+      Workplace work;
+      work.write("peg.wkt", kPeg);
+      work.write("slot.wkt", kSlot);
+      work.write("edits.txt", "undo\n");
+      EXPECT_EQ(work.run("dymsum edit peg.wkt slot.wkt edits.txt --keep-going --record session.json").code, 4);
+      return work.read("session.json");
+    }();
     return text;
   }
   static std::string help_of(const std::string& verb) { return Workplace().run("dymsum " + verb + " --help").out; }

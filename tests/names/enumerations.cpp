@@ -4,6 +4,7 @@
 #include "dymsum/convex_solid.h"
 #include "dymsum/convex_sum.h"
 #include "dymsum/decomposition.h"
+#include "dymsum/edit_script.h"
 #include "dymsum/editable_sum.h"
 #include "dymsum/family.h"
 #include "dymsum/fill.h"
@@ -84,6 +85,7 @@ std::vector<Enumerators> enumerations() {
           of<RegionRepairKind>("RegionRepairKind"),
           of<RingChange::Kind>("Kind"),
           of<ScaleContact::Kind>("Kind"),
+          of<ScriptAction>("ScriptAction"),
           of<Semantics>("Semantics"),
           of<SolidFeature::Kind>("Kind"),
           of<SpatialEngine>("SpatialEngine"),

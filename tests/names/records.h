@@ -18,11 +18,11 @@ inline constexpr std::tuple kRecords{
     // planar_fields.h
     Listing<Evidence>{}, Listing<Point>{"Point"}, Listing<RationalPoint>{"ExactPoint"}, Listing<Contact>{"Contact"},
     Listing<ConvolutionSizes>{"ConvolutionSizes"}, Listing<SumStats::Stage>{}, Listing<SumStats>{"SumStats"},
-    Listing<Rounding>{"Rounding"}, Listing<FrameWork>{"FrameWork"}, Listing<RingChange>{"RingChange"},
-    Listing<FrameChanges>{"FrameChanges"}, Listing<Lifetime>{}, Listing<FamilyWork>{},
-    Listing<ScaleContact>{"ScaleContact"}, Listing<ScaleInterval>{"ScaleInterval"}, Listing<ScaleRange>{"ScaleRange"},
-    Listing<PlanarFeature>{"PlanarFeature"}, Listing<PlanarTouch>{"PlanarTouch"}, Listing<PlanarWay>{"PlanarWay"},
-    Listing<PlanarDistance>{"PlanarDistance"},
+    Listing<Rounding>{"Rounding"}, Listing<FrameWork>{"FrameWork"}, Listing<EditWork>{},
+    Listing<RingChange>{"RingChange"}, Listing<FrameChanges>{"FrameChanges"}, Listing<Lifetime>{},
+    Listing<FamilyWork>{}, Listing<ScaleContact>{"ScaleContact"}, Listing<ScaleInterval>{"ScaleInterval"},
+    Listing<ScaleRange>{"ScaleRange"}, Listing<PlanarFeature>{"PlanarFeature"}, Listing<PlanarTouch>{"PlanarTouch"},
+    Listing<PlanarWay>{"PlanarWay"}, Listing<PlanarDistance>{"PlanarDistance"},
     // solid_fields.h
     Listing<Point3>{"Point3"}, Listing<RationalPoint3>{"ExactPoint3"}, Listing<SolidFeature>{"SolidFeature"},
     Listing<SolidContact>{"SolidContact"}, Listing<SpatialStats::Stage>{}, Listing<SpatialStats>{"SpatialStats"},

@@ -67,7 +67,11 @@ def add(markdown, program, viewer):
     """Figures behind every block of commands that the viewer shows."""
 
     def with_figures(block):
-        commands = [line[2:] for line in block[1].splitlines() if line.startswith("$ dymsum ")]
+        lines = [line[2:] for line in block[1].splitlines() if line.startswith("$ ")]
+        for line in lines:
+            if line.startswith("printf "):  # a shape that the commands below work on
+                subprocess.run(line, cwd=workplace(program).name, check=True, shell=True)
+        commands = [line for line in lines if line.startswith("dymsum ")]
         shown = [command for command in commands if command.split()[1] in VERBS and not re.search(r"[|<>]", command)]
         return block[0] + "".join("\n" + figure(command, program, viewer) for command in shown)
 

@@ -101,15 +101,15 @@ ReducedConvolution::ReducedConvolution(const Lattice& lattice, const Operand& p,
       if (p.components[cp].dimension == 2 || q.components[cq].dimension == 2) add_pair(cp, cq, memory);
   for (std::uint32_t side = 0; side < 2; ++side) {
     const auto n = static_cast<std::uint32_t>(turns_[side].size());
-    Turn* const turns = turns_[side].data();
+    Turn* const all = turns_[side].data();
     used_[side].resize(n);
     std::uint64_t size = size_;
     std::uint32_t* used = used_[side].data();
     for (std::uint32_t k = 0; k < n; ++k) {
-      turns[k].base = static_cast<std::uint32_t>(size);
-      size += turns[k].count;
+      all[k].base = static_cast<std::uint32_t>(size);
+      size += all[k].count;
       *used = k;
-      used += turns[k].count != 0;
+      used += all[k].count != 0;
     }
     used_[side].resize(static_cast<std::size_t>(used - used_[side].data()));
     if (size >= kNoRank) throw std::length_error("more than 2^32 segments");

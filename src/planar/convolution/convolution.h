@@ -70,7 +70,7 @@ class ReducedConvolution {
   /// How many edges of P have one of Q in the same direction.
   std::size_t parallel_edges() const { return parallel_edges_; }
 
- private:
+ protected:  // for who follows operands that change
   // The id of the segment of an edge that belongs to the turn's component, or kNoRank.
   std::uint32_t id(const Turn& t, std::uint32_t edge) const {
     if (t.count == 0) return kNoRank;
@@ -85,6 +85,8 @@ class ReducedConvolution {
   std::uint32_t vertex_of(std::uint32_t side, std::uint32_t turn) const {
     return columns_[side] == 1 ? turn : turn / columns_[side];
   }
+
+ private:
   struct Edges;
   // Positions of one list's directions in another one, for outer loops and for holes; empty until requested.
   struct Bounds {
@@ -95,8 +97,10 @@ class ReducedConvolution {
   void add_pair(std::uint32_t cp, std::uint32_t cq, Scratch* memory);
   void add_turns(std::uint32_t side, const Edges& edges, const Edges& vertices, Bounds& bounds);
 
-  const Lattice& lattice_;
+  const Lattice& lattice_;  // while it is made
   HoleFilled filled_;
+
+ protected:
   std::array<const Operand*, 2> operands_;
   std::array<std::uint32_t, 2> columns_{};    ///< components of the edge side
   std::array<Array<Turn>, 2> turns_;          ///< [side][vertex * columns + component of the edge side]

@@ -105,8 +105,7 @@ void EdgeRaster::settle(Flips& flips) {
 }
 
 EdgeRaster::Flips EdgeRaster::update(const Operand& before, const Operand& after, const WalkChanges& changes) {
-  for (std::uint32_t e = 0; e < before.size(); ++e)
-    if (changes.edge_after(e) == kNone) change_edge(before, e, -1);
+  changes.for_each_gone_edge(before.size(), [&](std::uint32_t e) { change_edge(before, e, -1); });
   for (const std::uint32_t e : changes.new_edges()) change_edge(after, e, 1);
   Flips flips;
   settle(flips);

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace dymsum::planar {
 
-EditArrangement::EditArrangement(const PlacedPair& placed, const ReducedConvolution& convolution,
+EditArrangement::EditArrangement(const PlacedPair& placed, const FollowedConvolution& convolution,
                                  const CountedCover& cover)
     : convolution_(&convolution), cover_(cover), chain_(*this) {
   soup_.emplace(*placed.lattice, *placed.p, *placed.q);
   const Grid& grid = cover.grid();
   cells_.resize(static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns));
+  list_all();
   convolution.for_each([&](const WalkSegment& s) {
     if (has_live_cell(soup_->box(s))) add(s);
   });
@@ -20,9 +22,9 @@ EditArrangement::EditArrangement(const PlacedPair& placed, const ReducedConvolut
 // Names of segments.
 
 std::optional<WalkSegment> EditArrangement::follower(const WalkSegment& s) const {
-  const std::uint32_t turned = soup_->operands[s.side]->next[s.edge];
-  if (convolution_->find(s.side, turned, s.vertex) != kNoRank) return WalkSegment{s.side, turned, s.vertex};
-  if (convolution_->find(1 - s.side, s.vertex, turned) != kNoRank) return WalkSegment{1 - s.side, s.vertex, turned};
+  const std::uint32_t after = soup_->operands[s.side]->next[s.edge];
+  if (convolution_->find(s.side, after, s.vertex) != kNoRank) return WalkSegment{s.side, after, s.vertex};
+  if (convolution_->find(1 - s.side, s.vertex, after) != kNoRank) return WalkSegment{1 - s.side, s.vertex, after};
   return std::nullopt;
 }
 
@@ -77,6 +79,40 @@ bool EditArrangement::has_live_cell(const SoupBox& b) const {
   return live;
 }
 
+// The segments of an edge, and those of a vertex, form lists.
+
+void EditArrangement::list(std::uint32_t s) {
+  const WalkSegment w = name(s);
+  const std::array heads{&first_of_edge(w.side, w.edge), &first_of_vertex(w.side, w.vertex)};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::uint32_t next = std::exchange(*heads[k], s);
+    slots_[s].next_of[k] = next;
+    slots_[s].prev_of[k] = kNone;
+    if (next != kNone) slots_[next].prev_of[k] = s;
+  }
+}
+
+void EditArrangement::unlist(std::uint32_t s) {
+  const WalkSegment w = name(s);
+  const std::array heads{&first_of_edge(w.side, w.edge), &first_of_vertex(w.side, w.vertex)};
+  const Slot& slot = slots_[s];
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::uint32_t next = slot.next_of[k], prev = slot.prev_of[k];
+    if (prev == kNone) *heads[k] = next;
+    else slots_[prev].next_of[k] = next;
+    if (next != kNone) slots_[next].prev_of[k] = prev;
+  }
+}
+
+void EditArrangement::list_all() {
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    first_of_[side].assign(soup_->operands[side]->size(), kNone);
+    first_of_[2 + side].assign(soup_->operands[1 - side]->size(), kNone);
+  }
+  for (std::uint32_t s = 0; s < slots_.size(); ++s)
+    if (slots_[s].alive) list(s);
+}
+
 // Segments.
 
 std::uint32_t EditArrangement::add(const WalkSegment& w) {
@@ -101,6 +137,7 @@ std::uint32_t EditArrangement::add(const WalkSegment& w) {
   slot.fresh = true;
   fresh_.push_back(s);
   live_.emplace(key(w), s);
+  list(s);
   ++work_.added;
   if (const auto to = follower(w))
     if (const std::uint32_t n = find_live(*to); n != kNone) set_next(s, n);
@@ -189,6 +226,7 @@ void EditArrangement::remove(std::uint32_t s) {
     relink_.push_back(n);
   }
   live_.erase(key(name(s)));
+  unlist(s);
   const WalkPair start = soup_->start(s), end = soup_->end(s);
   slot = Slot{};
   soup_->segments[s].vertex = kNone;
@@ -215,31 +253,54 @@ void EditArrangement::relink() {
 }
 
 bool EditArrangement::stays(std::uint32_t s, const std::array<WalkChanges, 2>& changes,
-                            const ReducedConvolution& after) const {
+                            const FollowedConvolution& after) const {
   const WalkSegment w = name(s);
   const std::uint32_t edge = changes[w.side].edge_after(w.edge), vertex = changes[1 - w.side].after(w.vertex);
   if (edge == kNone || vertex == kNone) return false;
   return changes[1 - w.side].corner_stays(vertex) || after.find(w.side, edge, vertex) != kNoRank;
 }
 
-void EditArrangement::remove_changed(const std::array<WalkChanges, 2>& changes, const ReducedConvolution& after) {
-  work_ = {};
-  links_.clear();
-  std::vector<std::uint32_t> gone;
-  for (std::uint32_t s = 0; s < slots_.size(); ++s)
-    if (soup_->segments[s].vertex != kNone && !stays(s, changes, after)) gone.push_back(s);
-  for (const std::uint32_t s : gone) unsettle_nodes_of(s);
-  for (const std::uint32_t s : gone) remove(s);
+// The segments that do not stay.
+std::vector<std::uint32_t> EditArrangement::gone(const std::array<WalkChanges, 2>& changes,
+                                                 const FollowedConvolution& after) {
+  std::vector<std::uint32_t> list;
+  if (!changes[0].only_moves() || !changes[1].only_moves()) {
+    for (std::uint32_t s = 0; s < slots_.size(); ++s)
+      if (slots_[s].alive && !stays(s, changes, after)) list.push_back(s);
+    return list;
+  }
+  ++stamp_;
+  const auto look = [&](std::uint32_t s, std::size_t k) {
+    for (; s != kNone; s = slots_[s].next_of[k])
+      if (std::exchange(stamps_[s], stamp_) != stamp_ && !stays(s, changes, after)) list.push_back(s);
+  };
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    for (const std::uint32_t e : changes[op].new_edges()) look(first_of_edge(op, e), 0);
+    for (const std::uint32_t v : changes[op].new_corners()) look(first_of_vertex(1 - op, v), 1);
+  }
+  return list;
 }
 
-void EditArrangement::rename(const PlacedPair& placed, const ReducedConvolution& after,
-                             const std::array<WalkChanges, 2>& changes) {
+void EditArrangement::remove_changed(const std::array<WalkChanges, 2>& changes, const FollowedConvolution& after) {
+  work_ = {};
+  links_.clear();
+  const std::vector<std::uint32_t> list = gone(changes, after);
+  for (const std::uint32_t s : list) unsettle_nodes_of(s);
+  for (const std::uint32_t s : list) remove(s);
+}
+
+void EditArrangement::rename(const PlacedPair& placed, const FollowedConvolution& after,
+                             const std::array<WalkChanges, 2>& changes, bool elsewhere) {
   Soup next(*placed.lattice, *placed.p, *placed.q);
   next.segments = std::move(soup_->segments);
   next.boxes = std::move(soup_->boxes);
   soup_.emplace(std::move(next));
   convolution_ = &after;
-  if (!changes[0].renumbered() && !changes[1].renumbered()) return;
+  if (changes[0].renumbered() || changes[1].renumbered()) rename_indices(changes);
+  if (elsewhere) round_again();
+}
+
+void EditArrangement::rename_indices(const std::array<WalkChanges, 2>& changes) {
   live_.clear();
   for (std::uint32_t s = 0; s < slots_.size(); ++s) {
     if (!slots_[s].alive) continue;
@@ -258,32 +319,58 @@ void EditArrangement::rename(const PlacedPair& placed, const ReducedConvolution&
     pairs.emplace(key(meetings.pair), std::move(meetings));
   }
   pairs_ = std::move(pairs);
+  list_all();
 }
 
-// Segments of a vertex that meets other edges than before, with the edges that were there before.
-void EditArrangement::add_corner(std::uint32_t side, std::uint32_t v, const std::array<WalkChanges, 2>& changes,
-                                 const ReducedConvolution& before) {
-  const std::uint32_t was = changes[1 - side].before(v);
-  const Operand& o = *soup_->operands[side];
-  for (std::uint32_t e = 0; e < o.size(); ++e) {
-    if (convolution_->find(side, e, v) == kNoRank) continue;
-    const WalkSegment w{side, e, v};
-    if (was != kNone && changes[side].edge_stays(e) && before.find(side, changes[side].before(e), was) != kNoRank)
-      continue;
-    if (find_live(w) == kNone && has_live_cell(soup_->box(w))) add(w);
+// The numbers of a sum from scratch. The order of events stays, also of those at one position, which names of sub-edges
+// depend on: it is a fact.
+void EditArrangement::round_again() {
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t s = 0; s < slots_.size(); ++s) {
+    if (!slots_[s].alive) continue;
+    soup_->boxes[s] = soup_->box(name(s));
+    for (const Event& e : slots_[s].events)
+      if (!(e.id & kTouchBit) && crossings_[e.id].a == s) ids.push_back(e.id);
   }
+  std::vector<std::array<std::uint32_t, 2>> list;
+  for (const std::uint32_t id : ids) list.push_back({crossings_[id].a, crossings_[id].b});
+  for (const auto& [k, meetings] : pairs_)
+    for (const std::uint32_t t : meetings.touches)
+      for (const Incidence& at : incident(meetings.pair)) list.push_back({touches_[t].segment, at.segment});
+  Meetings found;
+  CrossingFinder(*soup_, found, &chain_).pairs(list);
+  work_.exact_signs += found.exact_signs;
+  if (found.crossings.size() < ids.size()) throw std::logic_error("EditArrangement: a crossing is gone");
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    Crossing& c = crossings_[ids[k]];
+    const Crossing& again = found.crossings[k];
+    if (again.a != c.a || again.b != c.b) throw std::logic_error("EditArrangement: another crossing");
+    c = again;
+  }
+  for (const Touch& again : found.touches) {
+    const auto at = pairs_.find(key(again.pair));
+    if (at == pairs_.end()) continue;
+    for (const std::uint32_t t : at->second.touches)
+      if (touches_[t].segment == again.segment) touches_[t] = again;
+  }
+  for (std::uint32_t s = 0; s < slots_.size(); ++s)
+    for (Event& e : slots_[s].events) {
+      if (e.id & kTouchBit) e.t = touches_[e.id & ~kTouchBit].t;
+      else e.t = crossings_[e.id].a == s ? crossings_[e.id].ta : crossings_[e.id].tb;
+    }
 }
 
-void EditArrangement::add_changed(const std::array<WalkChanges, 2>& changes, const ReducedConvolution& before,
-                                  std::span<const GridCell> uncovered) {
+void EditArrangement::add_missing(const WalkSegment& w) {
+  if (find_live(w) == kNone && has_live_cell(soup_->box(w))) add(w);
+}
+
+// Segments of vertices that meet other edges than before, and of edges that are new.
+void EditArrangement::add_changed(const std::array<WalkChanges, 2>& changes, std::span<const GridCell> uncovered) {
   for (std::uint32_t side = 0; side < 2; ++side) {
-    for (const std::uint32_t v : changes[1 - side].turned()) add_corner(side, v, changes, before);
-    for (const std::uint32_t e : changes[side].new_edges())
-      for (std::uint32_t v = 0; v < soup_->operands[1 - side]->size(); ++v) {
-        if (convolution_->find(side, e, v) == kNoRank) continue;
-        const WalkSegment w{side, e, v};
-        if (find_live(w) == kNone && has_live_cell(soup_->box(w))) add(w);
-      }
+    for (const std::uint32_t v : changes[1 - side].new_corners())
+      convolution_->for_each_edge_at(side, v, [&](std::uint32_t e) { add_missing({side, e, v}); });
+    convolution_->for_each_at_edges(side, changes[side].new_edges(),
+                                    [&](std::uint32_t e, std::uint32_t v) { add_missing({side, e, v}); });
   }
   open_cells(uncovered);
   relink();

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "planar/arrangement/crossings.h"
-#include "planar/convolution/convolution.h"
 #include "planar/edit/counted_cover.h"
+#include "planar/edit/followed_convolution.h"
 #include "planar/edit/segment_cuts.h"
 #include "planar/edit/walk_changes.h"
 
@@ -55,18 +55,19 @@ class EditArrangement {
   /// Marks of sub-edges: which cycle passes. Cycles have numbers from kFirstCycle on.
   static constexpr std::uint32_t kNoCycle = 0, kFresh = 1, kFirstCycle = 2;
 
-  EditArrangement(const PlacedPair& placed, const ReducedConvolution& convolution, const CountedCover& cover);
+  EditArrangement(const PlacedPair& placed, const FollowedConvolution& convolution, const CountedCover& cover);
   EditArrangement(const EditArrangement&) = delete;
 
   // Steps of an edit, in this order.
 
   /// Takes segments out that the edit does not leave as they were. Requires: the operands and the convolution before.
-  void remove_changed(const std::array<WalkChanges, 2>& changes, const ReducedConvolution& after);
-  /// What stays gets its new names, on the new lattice.
-  void rename(const PlacedPair& placed, const ReducedConvolution& after, const std::array<WalkChanges, 2>& changes);
+  void remove_changed(const std::array<WalkChanges, 2>& changes, const FollowedConvolution& after);
+  /// What stays gets its new names, on the new lattice; and its new numbers, where these are `elsewhere`: the lattice
+  /// begins at another position or spans another length.
+  void rename(const PlacedPair& placed, const FollowedConvolution& after, const std::array<WalkChanges, 2>& changes,
+              bool elsewhere);
   /// Puts new segments in, and segments in cells that are covered no longer, and finds what they meet.
-  void add_changed(const std::array<WalkChanges, 2>& changes, const ReducedConvolution& before,
-                   std::span<const GridCell> uncovered);
+  void add_changed(const std::array<WalkChanges, 2>& changes, std::span<const GridCell> uncovered);
 
   // The arrangement.
 
@@ -74,7 +75,7 @@ class EditArrangement {
   std::size_t live_count() const { return live_.size(); }
   std::size_t crossing_count() const { return crossings_.size() - free_crossings_.size(); }
   std::size_t node_count() const { return pairs_.size(); }
-  const ReducedConvolution& convolution() const { return *convolution_; }
+  const FollowedConvolution& convolution() const { return *convolution_; }
 
   std::uint32_t event_count(std::uint32_t s) const { return static_cast<std::uint32_t>(slots_[s].events.size()); }
   std::uint32_t mark(LiveSubEdge at) const { return slots_[at.segment].marks[at.k]; }
@@ -136,6 +137,7 @@ class EditArrangement {
     std::vector<std::uint32_t> marks;
     std::vector<std::uint32_t> cells;  // in whose lists it is
     std::uint32_t prev = kNone;
+    std::array<std::uint32_t, 2> next_of{kNone, kNone}, prev_of{kNone, kNone};  // of its edge, of its vertex
     bool alive = false, suspect = false, start_node = false, end_node = false, fresh = false;
   };
   struct PairMeetings {
@@ -173,18 +175,28 @@ class EditArrangement {
   std::optional<WalkSegment> predecessor(const WalkSegment& s) const;
   std::vector<Incidence> incident(WalkPair v) const;
 
+  // The first segments of an edge of `side`, of a vertex of the other operand.
+  std::uint32_t& first_of_edge(std::uint32_t side, std::uint32_t edge) { return first_of_[side][edge]; }
+  std::uint32_t& first_of_vertex(std::uint32_t side, std::uint32_t vertex) { return first_of_[2 + side][vertex]; }
+  void list(std::uint32_t s);
+  void unlist(std::uint32_t s);
+  void list_all();
+
   // Segments.
   std::uint32_t add(const WalkSegment& s);
   void remove(std::uint32_t s);
   void relink();
   void set_next(std::uint32_t s, std::uint32_t next);
-  bool stays(std::uint32_t s, const std::array<WalkChanges, 2>& changes, const ReducedConvolution& after) const;
+  bool stays(std::uint32_t s, const std::array<WalkChanges, 2>& changes, const FollowedConvolution& after) const;
   bool has_live_cell(const SoupBox& box) const;
-  void add_corner(std::uint32_t side, std::uint32_t vertex, const std::array<WalkChanges, 2>& changes,
-                  const ReducedConvolution& before);
+  void add_missing(const WalkSegment& w);
+  std::vector<std::uint32_t> gone(const std::array<WalkChanges, 2>& changes, const FollowedConvolution& after);
   void open_cells(std::span<const GridCell> cells);
   template <class F>
   void for_each_cell(const SoupBox& b, F&& f) const;
+
+  void rename_indices(const std::array<WalkChanges, 2>& changes);
+  void round_again();
 
   // Events.
   void find_meetings();
@@ -228,11 +240,12 @@ class EditArrangement {
   void settle_nodes();
 
   std::optional<Soup> soup_;
-  const ReducedConvolution* convolution_;
+  const FollowedConvolution* convolution_;
   const CountedCover& cover_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> free_slots_;
   std::unordered_map<std::uint64_t, std::uint32_t> live_;
+  std::array<std::vector<std::uint32_t>, 4> first_of_;
   LiveChain chain_;
   std::vector<std::uint32_t> relink_;
   std::vector<std::vector<std::uint32_t>> cells_;

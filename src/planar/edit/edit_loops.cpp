@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "planar/boundary/boundary.h"
 
@@ -70,7 +71,7 @@ void EditLoops::recheck(EditArrangement& arrangement, const NewOverlap& anew, co
       ++work_.witnessed;
       continue;
     }
-    if (cycle.kept && connected_ && cycle.turning > 0) continue;  // decided with the others
+    if (cycle.kept && connected_ && cycle.winding > 0) continue;  // decided with the others
     const SegmentPosition x = arrangement.sample(arrangement.sub_from(cycle.sample));
     const bool covered = cycle.kept ? covered_anew(x, anew, collision) : collision.overlaps_right_of(x);
     if (!covered) {
@@ -119,7 +120,7 @@ void EditLoops::close(EditArrangement& arrangement, std::uint32_t id, std::vecto
   Array<Step> steps;
   steps.reserve(path.size());
   for (const LiveSubEdge& at : path) steps.push_back({at.k, at.segment});
-  cycle.turning = turning_number(arrangement.soup(), steps);
+  cycle.winding = turning_number(arrangement.soup(), steps);
   Undecided undecided{id, {}, {}};
   double best = -1, best_kept = -1;
   std::uint32_t last_mark = EditArrangement::kNoCycle;
@@ -141,6 +142,7 @@ void EditLoops::close(EditArrangement& arrangement, std::uint32_t id, std::vecto
       undecided.witnesses.push_back(*was->second.cover.edges);
     last_mark = marks[i];
   }
+  cycle.steps = std::move(path);
   undecided_.push_back(std::move(undecided));
 }
 
@@ -155,7 +157,7 @@ void EditLoops::trace(EditArrangement& arrangement) {
 // The outer boundary of before may be covered, where another one has come around it.
 void EditLoops::uncover_outer(EditArrangement& arrangement, const NewOverlap& anew, Collision& collision) {
   for (auto& [id, cycle] : cycles_) {
-    if (cycle.turning <= 0 || !cycle.kept) continue;
+    if (cycle.winding <= 0 || !cycle.kept) continue;
     if (!covered_anew(arrangement.sample(arrangement.sub_from(cycle.sample)), anew, collision)) continue;
     cycle.cover = {collision.crossing_edges(), std::nullopt};
     lose(cycle);
@@ -167,7 +169,7 @@ void EditLoops::decide(EditArrangement& arrangement, const NewOverlap* anew, con
   std::size_t counter_clockwise = 0;
   std::uint32_t outer = 0;
   for (const auto& [id, cycle] : cycles_)
-    if (cycle.turning > 0) {
+    if (cycle.winding > 0) {
       ++counter_clockwise;
       outer = id;
     }
@@ -215,10 +217,11 @@ void EditLoops::update_nodes(EditArrangement& arrangement) {
 void EditLoops::update(EditArrangement& arrangement, const Changes& changes, const CountedCover& cover,
                        Collision& collision) {
   work_ = {};
+  for (auto& [id, cycle] : cycles_) cycle.steps.clear();  // those that no ring was made of
   if (!changes.all_new) rename(changes.walks);
   break_cycles(arrangement);
   const NewOverlap anew(arrangement.soup().lattice, *arrangement.soup().operands[0], *arrangement.soup().operands[1],
-                        {changes.walks[0].turned(), changes.walks[1].turned()});
+                        {changes.walks[0].new_corners(), changes.walks[1].new_corners()});
   recheck(arrangement, anew, cover, collision);
   update_nodes(arrangement);
   trace(arrangement);
@@ -248,7 +251,8 @@ bool EditLoops::degenerate(EditArrangement& arrangement, const CountedCover& cov
   return false;
 }
 
-std::vector<LiveSubEdge> EditLoops::steps_of(EditArrangement& arrangement, const EditCycle& cycle) const {
+std::vector<LiveSubEdge> EditLoops::steps_of(EditArrangement& arrangement, EditCycle& cycle) const {
+  if (!cycle.steps.empty()) return std::exchange(cycle.steps, {});
   std::vector<LiveSubEdge> steps;
   const LiveSubEdge start = arrangement.sub_from(cycle.sample);
   LiveSubEdge at = start;

@@ -24,13 +24,14 @@ struct CoverProof {
 
 /// A cycle of the successor map.
 struct EditCycle {
-  int turning = 0;
+  int winding = 0;
   bool kept = false;                 ///< it bounds the sum
   EventName sample;                  ///< where a sub-edge of it starts
   CoverProof cover;                  ///< of one that is not kept
   std::vector<std::uint64_t> nodes;  ///< that it comes to, by their keys
   std::uint64_t identity = 0;        ///< of its ring, 0: not yet given
   std::optional<SumRing> ring;       ///< of a kept one
+  std::vector<LiveSubEdge> steps;    ///< of one that is new, until its ring is written
   double ring_error = 0;             ///< of its positions, in units of the lattice
 };
 
@@ -64,8 +65,8 @@ class EditLoops {
   bool degenerate(EditArrangement& arrangement, const CountedCover& cover, Collision& collision);
 
   bool has_nodes() const { return !nodes_.empty(); }
-  /// The sub-edges of a cycle.
-  std::vector<LiveSubEdge> steps_of(EditArrangement& arrangement, const EditCycle& cycle) const;
+  /// The sub-edges of a cycle; those of a new one are handed out once.
+  std::vector<LiveSubEdge> steps_of(EditArrangement& arrangement, EditCycle& cycle) const;
 
   struct Work {
     std::uint64_t traced = 0, kept = 0, witnessed = 0, tests = 0;

@@ -173,7 +173,7 @@ LiveNodeLinks EditArrangement::links_of(const EditNode& node) const {
   };
   const auto id = [&](const EditNode::Ray& r) {
     const WalkSegment w = name(r.sub.segment);
-    return convolution_->find(w.side, w.edge, w.vertex);
+    return convolution_->order(w.side, w.edge, w.vertex);
   };
   std::sort(rays.begin(), rays.end(), [&](const EditNode::Ray& a, const EditNode::Ray& b) {
     if (const int c = compare(a, b); c != 0) return c < 0;

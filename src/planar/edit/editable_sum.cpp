@@ -1,5 +1,6 @@
 #include "dymsum/editable_sum.h"
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <numeric>
@@ -60,26 +61,28 @@ Edit Edit::remove_part(MovingOperand operand, std::uint32_t part) {
 
 namespace {
 
-using planar::VertexOrigins;
+using Names = std::vector<std::uint64_t>;
 
-// An operand as it is or was, with the names of its vertices.
+// An operand as it is or was, with the names of its vertices, which those before and after moves have in common.
 struct NamedRegion {
   Region region;
-  std::vector<std::uint64_t> names;
+  std::shared_ptr<const Names> names;
 };
 using Operands = std::array<std::shared_ptr<const NamedRegion>, 2>;
 
-// A step from the state before it to the one after it: origins[op] empty where nothing changed.
+// A step from the state before it to the one after it.
 struct MadeStep {
   Operands before, after;
-  std::array<VertexOrigins, 2> origins;
+  std::array<planar::VertexChanges, 2> changes;  // nothing of an operand that is as it was
 };
 
-// The vertices after that those before became.
-VertexOrigins reversed(const VertexOrigins& origins, std::size_t size) {
-  VertexOrigins back(size, planar::kNone);
-  for (std::uint32_t v = 0; v < origins.size(); ++v)
-    if (origins[v] != planar::kNone) back[origins[v]] = v;
+// From the state after to the one before, of so many vertices.
+planar::VertexChanges reversed(const planar::VertexChanges& changes, std::size_t size) {
+  if (changes.moved) return changes;
+  planar::VertexChanges back;
+  back.origins.resize(size, planar::kNone);
+  for (std::uint32_t v = 0; v < changes.origins.size(); ++v)
+    if (changes.origins[v] != planar::kNone) back.origins[changes.origins[v]] = v;
   return back;
 }
 
@@ -92,7 +95,10 @@ class EditableSum::State {
     for (const Region* region : {&p, &q}) {
       auto named = std::make_shared<NamedRegion>();
       named->region = planar::trusted_region(region->data(), region->touching_points());
-      for (std::size_t v = 0; v < region->vertex_count(); ++v) named->names.push_back(next_name_++);
+      auto names = std::make_shared<Names>(region->vertex_count());
+      std::iota(names->begin(), names->end(), next_name_);
+      next_name_ += names->size();
+      named->names = std::move(names);
       operands_[op++] = std::move(named);
     }
   }
@@ -105,7 +111,7 @@ class EditableSum::State {
     return timed([&]() -> Result<FrameChanges> {
       Result<MadeStep> step = make(edits);
       if (!step) return step.error();
-      Result<FrameChanges> changes = go(step->after, step->origins);
+      Result<FrameChanges> changes = go(step->after, step->changes);
       if (!changes) return changes;
       undone_.clear();
       done_.push_back(std::move(step).value());
@@ -118,10 +124,10 @@ class EditableSum::State {
     if (done_.empty()) return Error{ErrorCode::out_of_range, "there is no step to undo", {}};
     return timed([&] {
       const MadeStep& step = done_.back();
-      std::array<VertexOrigins, 2> origins;
+      std::array<planar::VertexChanges, 2> back;
       for (std::size_t op = 0; op < 2; ++op)
-        if (step.before[op] != step.after[op]) origins[op] = reversed(step.origins[op], step.before[op]->names.size());
-      Result<FrameChanges> changes = go(step.before, origins);
+        if (step.before[op] != step.after[op]) back[op] = reversed(step.changes[op], step.before[op]->names->size());
+      Result<FrameChanges> changes = go(step.before, back);
       if (!changes) return changes;
       undone_.push_back(std::move(done_.back()));
       done_.pop_back();
@@ -132,7 +138,7 @@ class EditableSum::State {
   Result<FrameChanges> redo() {
     if (undone_.empty()) return Error{ErrorCode::out_of_range, "there is no step to make again", {}};
     return timed([&] {
-      Result<FrameChanges> changes = go(undone_.back().after, undone_.back().origins);
+      Result<FrameChanges> changes = go(undone_.back().after, undone_.back().changes);
       if (!changes) return changes;
       done_.push_back(std::move(undone_.back()));
       undone_.pop_back();
@@ -143,7 +149,7 @@ class EditableSum::State {
   std::size_t undo_count() const { return done_.size(); }
   std::size_t redo_count() const { return undone_.size(); }
   const Region& region(std::size_t op) const { return operands_[op]->region; }
-  const std::vector<std::uint64_t>& names(std::size_t op) const { return operands_[op]->names; }
+  const Names& names(std::size_t op) const { return *operands_[op]->names; }
   planar::EditedSum& sum() { return sum_; }
 
  private:
@@ -157,39 +163,56 @@ class EditableSum::State {
     return changes;
   }
 
+  // The data that edits of an operand begin with.
+  planar::EditedData data_before(std::size_t op, std::span<const Edit> edits) const {
+    planar::EditedData edited;
+    edited.data = region(op).data();
+    const auto moves = [op](const Edit& edit) {
+      return (edit.operand == MovingOperand::p) != (op == 0) || planar::only_moves(edit);
+    };
+    if (std::all_of(edits.begin(), edits.end(), moves)) {
+      edited.changes.moved.emplace();
+    } else {
+      edited.changes.origins.resize(names(op).size());
+      std::iota(edited.changes.origins.begin(), edited.changes.origins.end(), 0u);
+    }
+    return edited;
+  }
+
   // The operands after the edits.
   Result<MadeStep> make(std::span<const Edit> edits) {
     MadeStep step{operands_, operands_, {}};
     std::array<std::optional<planar::EditedData>, 2> edited;
     for (const Edit& edit : edits) {
       const std::size_t op = edit.operand == MovingOperand::p ? 0 : 1;
-      if (!edited[op]) {
-        edited[op].emplace();
-        edited[op]->data = region(op).data();
-        edited[op]->origins.resize(names(op).size());
-        std::iota(edited[op]->origins.begin(), edited[op]->origins.end(), 0u);
-      }
+      if (!edited[op]) edited[op] = data_before(op, edits);
       if (const Result<void> made = planar::apply(edit, *edited[op]); !made) return made.error();
     }
     std::uint64_t next = next_name_;
     for (std::size_t op = 0; op < 2; ++op) {
       if (!edited[op]) continue;
-      step.origins[op] = edited[op]->origins;
+      step.changes[op] = edited[op]->changes;
       Result<Region> region = planar::edited_region(this->region(op), *std::move(edited[op]));
       if (!region) return region.error();
       auto named = std::make_shared<NamedRegion>();
       named->region = std::move(region).value();
-      for (const std::uint32_t v : step.origins[op]) named->names.push_back(v == planar::kNone ? next++ : names(op)[v]);
+      named->names = operands_[op]->names;
+      if (!step.changes[op].moved) {
+        auto made = std::make_shared<Names>();
+        for (const std::uint32_t v : step.changes[op].origins)
+          made->push_back(v == planar::kNone ? next++ : names(op)[v]);
+        named->names = std::move(made);
+      }
       step.after[op] = std::move(named);
     }
     next_name_ = next;
     return step;
   }
 
-  Result<FrameChanges> go(const Operands& to, const std::array<VertexOrigins, 2>& origins) {
+  Result<FrameChanges> go(const Operands& to, const std::array<planar::VertexChanges, 2>& made) {
     planar::EditedSum::Step step{{&to[0]->region, &to[1]->region}, {}};
     for (std::size_t op = 0; op < 2; ++op)
-      if (to[op] != operands_[op]) step.origins[op] = &origins[op];
+      if (to[op] != operands_[op]) step.changes[op] = &made[op];
     Result<FrameChanges> changes = sum_.follow(step);
     if (changes) operands_ = to;
     return changes;

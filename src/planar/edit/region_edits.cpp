@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "exact/orient.h"
 #include "planar/region/region.h"
@@ -49,7 +50,7 @@ Result<ChainPosition> ring_vertex(RegionData& data, std::uint32_t vertex) {
 
 void insert_vertices(EditedData& edited, const ChainPosition& at, std::size_t k, Point p) {
   at.chain->insert(at.chain->begin() + static_cast<std::ptrdiff_t>(k), p);
-  edited.origins.insert(edited.origins.begin() + static_cast<std::ptrdiff_t>(at.first + k), kNone);
+  edited.changes.origins.insert(edited.changes.origins.begin() + static_cast<std::ptrdiff_t>(at.first + k), kNone);
 }
 
 Result<void> extrude(const Edit& edit, EditedData& edited) {
@@ -97,7 +98,7 @@ std::uint32_t size_of(const Part& part) {
 
 Result<void> edit_parts(const Edit& edit, EditedData& edited) {
   RegionData& data = edited.data;
-  VertexOrigins& origins = edited.origins;
+  VertexOrigins& origins = edited.changes.origins;
   const auto at = [&](std::uint32_t k) { return origins.begin() + static_cast<std::ptrdiff_t>(k); };
   if (edit.kind == EditKind::add_part) {
     origins.insert(at(first_of_part(data, data.parts.size())), size_of(edit.added), kNone);
@@ -130,6 +131,11 @@ Result<void> edit_vertex(const Edit& edit, EditedData& edited) {
   const ChainPosition at = find_vertex(edited.data, edit.vertex);
   if (at.chain == nullptr) return out_of_range("there is no vertex " + text(edit.vertex));
   std::vector<Point>& chain = *at.chain;
+  if (edited.changes.moved && only_moves(edit)) {
+    const auto before = std::lower_bound(edited.changes.moved->begin(), edited.changes.moved->end(), edit.vertex);
+    if (before == edited.changes.moved->end() || *before != edit.vertex)
+      edited.changes.moved->insert(before, edit.vertex);
+  }
   if (edit.kind == EditKind::move) {
     chain[at.at] = edit.at;
     return {};
@@ -140,7 +146,7 @@ Result<void> edit_vertex(const Edit& edit, EditedData& edited) {
   } else if (edit.kind == EditKind::remove) {
     if (chain.size() <= 3) return out_of_range("the ring of vertex " + text(edit.vertex) + " has no vertex to spare");
     chain.erase(chain.begin() + static_cast<std::ptrdiff_t>(at.at));
-    edited.origins.erase(edited.origins.begin() + edit.vertex);
+    edited.changes.origins.erase(edited.changes.origins.begin() + edit.vertex);
   } else {
     const std::size_t n = chain.size();
     const Point a = chain[at.at == 0 ? n - 1 : at.at - 1], b = chain[at.at + 1 == n ? 0 : at.at + 1], v = chain[at.at];
@@ -171,103 +177,143 @@ namespace {
 class NewEdges {
  public:
   NewEdges(const RegionData& before, const EditedData& edited) : edited_(edited) {
-    for_each_chain(before,
-                   [&](const std::vector<Point>& chain) { old_.insert(old_.end(), chain.begin(), chain.end()); });
-    add_rings(before, old_first_);
-    add_rings(edited.data, first_);
+    add_rings(before, old_);
+    add_rings(edited.data, now_);
     for (const Part& part : edited.data.parts) {
-      outer_.push_back(true);
-      outer_.insert(outer_.end(), part.holes.size(), false);
+      outer_.push_back(1);
+      outer_.insert(outer_.end(), part.holes.size(), 0);
     }
-    for_each_chain(edited.data,
-                   [&](const std::vector<Point>& chain) { now_.insert(now_.end(), chain.begin(), chain.end()); });
   }
 
   /// Whether the edited data are provably valid, as those before were.
   bool proved() {
-    if (first_.size() != old_first_.size() || now_.empty() || now_.size() != first_.back()) return false;
-    for (std::size_t r = 0; r + 1 < first_.size(); ++r) {
-      if (first_[r + 1] - first_[r] < 3) return false;
-      find_changes(r);
+    if (now_.empty() || now_.size() != old_.size()) return false;
+    changed_.assign(now_.size(), 0);
+    still_.assign(now_.size(), kNone);
+    if (edited_.changes.moved) {
+      find_moves();
+    } else {
+      for (std::uint32_t r = 0; r < now_.size(); ++r) {
+        if (now_[r].size < 3) return false;
+        find_changes(r);
+      }
     }
     find_near();
-    for (const std::uint32_t e : new_)
+    for (const RingEdge e : new_)
       if (!apart(e)) return false;
-    for (std::size_t r = 0; r + 1 < first_.size(); ++r)
+    for (std::uint32_t r = 0; r < now_.size(); ++r)
       if (changed_[r] && !keeps_its_side(r)) return false;
     return true;
   }
 
  private:
-  static void add_rings(const RegionData& data, std::vector<std::uint32_t>& first) {
-    first.push_back(0);
-    const auto add = [&](const Ring& ring) { first.push_back(first.back() + static_cast<std::uint32_t>(ring.size())); };
+  struct View {
+    const Point* at;
+    std::uint32_t first, size;  // `first`: the index of its first vertex in the region
+    Point operator[](std::uint32_t k) const { return at[k]; }
+    std::uint32_t next(std::uint32_t k) const { return k + 1 == size ? 0 : k + 1; }
+    std::uint32_t prev(std::uint32_t k) const { return k == 0 ? size - 1 : k - 1; }
+  };
+  struct RingEdge {
+    std::uint32_t ring, k;
+    friend bool operator==(const RingEdge&, const RingEdge&) = default;
+  };
+
+  static void add_rings(const RegionData& data, std::vector<View>& views) {
+    std::uint32_t first = 0;
+    const auto add = [&](const Ring& ring) {
+      views.push_back({ring.data(), first, static_cast<std::uint32_t>(ring.size())});
+      first += views.back().size;
+    };
     for (const Part& part : data.parts) {
       add(part.outer);
       for (const Ring& hole : part.holes) add(hole);
     }
   }
-  static std::uint32_t next_in(const std::vector<std::uint32_t>& first, std::size_t r, std::uint32_t v) {
-    return v + 1 == first[r + 1] ? first[r] : v + 1;
+
+  // Every vertex is the one it was: the edges at those that moved.
+  void find_moves() {
+    std::uint32_t r = 0, first_moved = kNone;  // of the ring
+    for (const std::uint32_t v : *edited_.changes.moved) {
+      while (v >= now_[r].first + now_[r].size) ++r;
+      const std::uint32_t k = v - now_[r].first, before = now_[r].prev(k);
+      if (new_.empty() || !(new_.back() == RingEdge{r, before})) new_.push_back({r, before});
+      // The first vertex has listed the last edge.
+      const bool listed = k + 1 == now_[r].size && changed_[r] && now_[r].first == first_moved;
+      if (!changed_[r]) first_moved = v;
+      if (!listed) new_.push_back({r, k});
+      changed_[r] = 1;
+    }
+    gone_ = new_;
+    auto moved = edited_.changes.moved->begin();
+    for (r = 0; r < now_.size(); ++r)
+      for (std::uint32_t k = 0; k < now_[r].size && still_[r] == kNone; ++k) {
+        while (moved != edited_.changes.moved->end() && *moved < now_[r].first + k) ++moved;
+        if (moved == edited_.changes.moved->end() || *moved != now_[r].first + k) still_[r] = k;
+      }
   }
-  bool stays(std::uint32_t v) const {
-    const std::uint32_t was = edited_.origins[v];
-    return was != kNone && old_[was] == now_[v];
+
+  // The vertex of ring r before that vertex k of it is, or kNone where it moved, is new or comes from another ring.
+  std::uint32_t before(std::uint32_t r, std::uint32_t k) const {
+    const std::uint32_t was = edited_.changes.origins[now_[r].first + k];
+    if (was == kNone || was < old_[r].first || was >= old_[r].first + old_[r].size) return kNone;
+    return old_[r][was - old_[r].first] == now_[r][k] ? was - old_[r].first : kNone;
   }
 
   // Edges of a ring that are new, and those that are gone.
-  void find_changes(std::size_t r) {
-    std::vector<std::uint8_t> kept(old_first_[r + 1] - old_first_[r], 0);
-    std::uint32_t still = kNone;
-    bool changed = false;
-    for (std::uint32_t v = first_[r]; v < first_[r + 1]; ++v) {
-      const std::uint32_t n = next_in(first_, r, v), was = edited_.origins[v];
-      if (stays(v)) still = v;
-      if (stays(v) && stays(n) && was >= old_first_[r] && was < old_first_[r + 1] &&
-          next_in(old_first_, r, was) == edited_.origins[n]) {
-        kept[was - old_first_[r]] = 1;
+  void find_changes(std::uint32_t r) {
+    std::vector<std::uint8_t> kept(old_[r].size, 0);
+    bool changed = old_[r].size != now_[r].size;
+    for (std::uint32_t k = 0; k < now_[r].size; ++k) {
+      const std::uint32_t was = before(r, k), then = before(r, now_[r].next(k));
+      if (was != kNone) still_[r] = k;
+      if (was != kNone && then != kNone && old_[r].next(was) == then) {
+        kept[was] = 1;
         continue;
       }
       changed = true;
-      new_.push_back(v);
-      ring_of_new_.push_back(r);
+      new_.push_back({r, k});
     }
-    changed_.push_back(changed || kept.size() != first_[r + 1] - first_[r]);
-    still_.push_back(still);
+    changed_[r] = changed;
     for (std::uint32_t k = 0; k < kept.size(); ++k)
-      if (!kept[k]) gone_.push_back({r, old_first_[r] + k});
+      if (!kept[k]) gone_.push_back({r, k});
   }
 
   // The edges whose boxes meet the box of all new ones.
   void find_near() {
     if (new_.empty()) return;
-    Point low = now_[new_[0]], high = low;
-    for (const std::uint32_t e : new_)
-      for (const std::uint32_t v : {e, next_in(first_, ring_of(e), e)}) {
-        low = {std::min(low.x, now_[v].x), std::min(low.y, now_[v].y)};
-        high = {std::max(high.x, now_[v].x), std::max(high.y, now_[v].y)};
+    Point low = now_[new_[0].ring][new_[0].k], high = low;
+    for (const RingEdge e : new_)
+      for (const Point p : {now_[e.ring][e.k], now_[e.ring][now_[e.ring].next(e.k)]}) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
       }
-    for (std::size_t s = 0; s + 1 < first_.size(); ++s)
-      for (std::uint32_t v = first_[s]; v < first_[s + 1]; ++v) {
-        const Point c = now_[v], d = now_[next_in(first_, s, v)];
-        if (std::max(c.x, d.x) >= low.x && std::min(c.x, d.x) <= high.x && std::max(c.y, d.y) >= low.y &&
-            std::min(c.y, d.y) <= high.y)
-          near_.push_back({v, c, d});
+    for (std::uint32_t s = 0; s < now_.size(); ++s) {
+      const View ring = now_[s];
+      Point c = ring[ring.size - 1];
+      std::uint32_t k = ring.size - 1;
+      for (std::uint32_t next = 0; next < ring.size; k = next++) {
+        const Point from = std::exchange(c, ring[next]);
+        if (std::max(from.x, c.x) >= low.x && std::min(from.x, c.x) <= high.x && std::max(from.y, c.y) >= low.y &&
+            std::min(from.y, c.y) <= high.y)
+          near_.push_back({{s, k}, from, c});
       }
+    }
   }
 
   // Whether an edge provably meets no other one but its neighbours, and does not fold back on them.
-  bool apart(std::uint32_t e) {
-    const std::size_t r = ring_of(e);
-    const std::uint32_t n = next_in(first_, r, e), before = e == first_[r] ? first_[r + 1] - 1 : e - 1;
-    const Point a = now_[e], b = now_[n];
+  bool apart(RingEdge e) const {
+    const View ring = now_[e.ring];
+    const std::uint32_t n = ring.next(e.k), before = ring.prev(e.k);
+    const Point a = ring[e.k], b = ring[n];
     if (!std::isfinite(a.x - b.x) || !std::isfinite(a.y - b.y) || a == b) return false;
-    if (folds(now_[before], a, b) || folds(a, b, now_[next_in(first_, r, n)])) return false;
+    if (folds(ring[before], a, b) || folds(a, b, ring[ring.next(n)])) return false;
     const double x0 = std::min(a.x, b.x), x1 = std::max(a.x, b.x), y0 = std::min(a.y, b.y), y1 = std::max(a.y, b.y);
     for (const auto& [f, c, d] : near_) {
-      const bool far =
-          std::max(c.x, d.x) < x0 || std::min(c.x, d.x) > x1 || std::max(c.y, d.y) < y0 || std::min(c.y, d.y) > y1;
-      if (!far && f != e && f != before && f != n && !one_side(a, b, c, d) && !one_side(c, d, a, b)) return false;
+      if (std::max(c.x, d.x) < x0 || std::min(c.x, d.x) > x1 || std::max(c.y, d.y) < y0 || std::min(c.y, d.y) > y1)
+        continue;
+      const bool own = f.ring == e.ring && (f.k == e.k || f.k == before || f.k == n);
+      if (!own && !one_side(a, b, c, d) && !one_side(c, d, a, b)) return false;
     }
     return true;
   }
@@ -278,58 +324,50 @@ class NewEdges {
   static bool folds(Point a, Point b, Point c) {
     return exact::orient_sign(a, b, c) == 0 && exact::dot_sign(a, b, b, c) <= 0;
   }
-  std::size_t ring_of(std::uint32_t v) const {
-    return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), v) - first_.begin()) - 1;
-  }
 
   // The sense of a ring that crosses nothing is that of its smallest vertex; and no other ring has changed its side of
   // it: one vertex of each that did not move is inside as before.
-  bool keeps_its_side(std::size_t r) const {
+  bool keeps_its_side(std::uint32_t r) const {
     if (still_[r] == kNone) return false;
-    if (counter_clockwise(now_, first_, r) != outer_[r]) return false;
-    for (std::size_t s = 0; s + 1 < first_.size(); ++s) {
+    if (counter_clockwise(now_[r]) != (outer_[r] != 0)) return false;
+    for (std::uint32_t s = 0; s < now_.size(); ++s) {
       if (s == r) continue;
       if (still_[s] == kNone) return false;
-      if (swept(r, now_[still_[s]])) return false;
+      if (swept(r, now_[s][still_[s]])) return false;
     }
     return true;
   }
-  static bool counter_clockwise(const std::vector<Point>& points, const std::vector<std::uint32_t>& first,
-                                std::size_t r) {
-    std::uint32_t v = first[r];
-    for (std::uint32_t u = v + 1; u < first[r + 1]; ++u)
-      if (lex_less(points[u], points[v])) v = u;
-    const std::uint32_t before = v == first[r] ? first[r + 1] - 1 : v - 1;
-    return exact::orient_sign(points[before], points[v], points[next_in(first, r, v)]) > 0;
+  static bool counter_clockwise(const View& ring) {
+    std::uint32_t v = 0;
+    for (std::uint32_t u = 1; u < ring.size; ++u)
+      if (lex_less(ring[u], ring[v])) v = u;
+    return exact::orient_sign(ring[ring.prev(v)], ring[v], ring[ring.next(v)]) > 0;
   }
   // Whether a point is inside before or after, but not both: by the edges that are gone and those that are new.
-  bool swept(std::size_t r, Point p) const {
+  bool swept(std::uint32_t r, Point p) const {
     bool odd = false;
-    const auto pass = [&](Point a, Point b) {
+    const auto pass = [&](const View& ring, std::uint32_t k) {
+      const Point a = ring[k], b = ring[ring.next(k)];
       if ((a.y > p.y) == (b.y > p.y)) return;
       if ((exact::orient_sign(a, b, p) > 0) == (b.y > a.y)) odd = !odd;
     };
-    for (std::size_t k = 0; k < new_.size(); ++k)
-      if (ring_of_new_[k] == r) pass(now_[new_[k]], now_[next_in(first_, r, new_[k])]);
-    for (const auto& [ring, e] : gone_)
-      if (ring == r) pass(old_[e], old_[next_in(old_first_, r, e)]);
+    for (const RingEdge e : new_)
+      if (e.ring == r) pass(now_[r], e.k);
+    for (const RingEdge e : gone_)
+      if (e.ring == r) pass(old_[r], e.k);
     return odd;
   }
 
   const EditedData& edited_;
-  std::vector<Point> old_, now_;
-  std::vector<std::uint32_t> old_first_, first_;  // of rings
-  struct PlacedEdge {
-    std::uint32_t index;
+  std::vector<View> old_, now_;
+  struct NearEdge {
+    RingEdge edge;
     Point from, to;
   };
-  std::vector<PlacedEdge> near_;
-  std::vector<std::uint32_t> new_;
-  std::vector<std::size_t> ring_of_new_;
-  std::vector<std::uint8_t> changed_;
-  std::vector<bool> outer_;
-  std::vector<std::uint32_t> still_;  // a vertex of each ring that did not move
-  std::vector<std::pair<std::size_t, std::uint32_t>> gone_;
+  std::vector<NearEdge> near_;
+  std::vector<RingEdge> new_, gone_;
+  std::vector<std::uint8_t> changed_, outer_;  // of rings
+  std::vector<std::uint32_t> still_;           // a vertex of each ring that did not move
 };
 
 }  // namespace

@@ -55,27 +55,36 @@ SumOptions EditedSum::sum_options(bool asking) const {
   return options;
 }
 
-Result<PlacedPair> EditedSum::placed_pair(const Step& step) const {
+Result<PlacedPair> EditedSum::placed_pair(const Step& step) {
   std::array<std::shared_ptr<const Operand>, 2> own = own_;
-  for (std::uint32_t op = 0; op < 2; ++op)
-    if (own[op] == nullptr || step.origins[op] != nullptr) {
-      const Region& region = *step.regions[op];
-      // Where an edit makes rings touch, edges are cut.
-      if (own[op] != nullptr && arrangement_ != nullptr && region.touching_points().empty()) {
-        if (auto moved = moved_operand(*own[op], region, *step.origins[op])) {
-          own[op] = std::move(moved);
-          continue;
-        }
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    if (own[op] != nullptr && step.changes[op] == nullptr) continue;
+    const Region& region = *step.regions[op];
+    // Where an edit makes rings touch, edges are cut.
+    if (own[op] != nullptr && step.changes[op]->moved && !touching_[op] && region.touching_points().empty())
+      if (auto moved = steps_[op].next(own[op], region, *step.changes[op]->moved)) {
+        own[op] = std::move(moved);
+        continue;
       }
-      own[op] =
-          make_operand(separate_touching(region.data(), region.touching_points()), op, op == 1 && options_.reflect_q);
-      if (std::optional<Error> error = too_large(*own[op])) return *std::move(error);
-    }
+    own[op] =
+        make_operand(separate_touching(region.data(), region.touching_points()), op, op == 1 && options_.reflect_q);
+    if (std::optional<Error> error = too_large(*own[op])) return *std::move(error);
+  }
   PlacedPair placed;
   placed.lattice = make_lattice(own[0]->points, own[1]->points, SumInternals::min_tier_bits(options_));
   placed.p = placed_on(*placed.lattice, std::move(own[0]));
   placed.q = placed_on(*placed.lattice, std::move(own[1]));
   return placed;
+}
+
+// The operands are these from now on.
+void EditedSum::stand_on(PlacedPair placed, const Step& step) {
+  placed_ = std::move(placed);
+  for (std::uint32_t op = 0; op < 2; ++op) {
+    own_[op] = op == 0 ? placed_.p : placed_.q;
+    steps_[op].use(own_[op]);
+    touching_[op] = !step.regions[op]->touching_points().empty();
+  }
 }
 
 bool EditedSum::can_keep(const PlacedPair& placed, const Step& step) const {
@@ -87,7 +96,7 @@ bool EditedSum::can_keep(const PlacedPair& placed, const Step& step) const {
 // Whether what is kept can go on: the numbers of what stays are the same.
 bool EditedSum::comparable(const PlacedPair& placed) const {
   const Lattice &a = *placed_.lattice, &b = *placed.lattice;
-  return a.unit == b.unit && a.exact_doubles == b.exact_doubles && cover_->holds(placed) && same_numbers(placed);
+  return a.unit == b.unit && a.exact_doubles == b.exact_doubles && cover_->holds(placed);
 }
 
 // Whether rounded positions and their errors are those of a sum from scratch.
@@ -106,32 +115,52 @@ std::vector<std::uint8_t> EditedSum::filled_loops(const PlacedPair& placed, std:
   return filled;
 }
 
-// Loops that are filled where they were not, or not where they were, are new.
 std::array<WalkChanges, 2> EditedSum::changes_to(const PlacedPair& placed, const Step& step) const {
   std::array<WalkChanges, 2> walks;
   const std::array<const Operand*, 2> before{placed_.p.get(), placed_.q.get()}, after{placed.p.get(), placed.q.get()};
-  for (std::uint32_t op = 0; op < 2; ++op)
-    if (step.origins[op] != nullptr) walks[op] = WalkChanges(*before[op], *after[op], *step.origins[op]);
   for (std::uint32_t op = 0; op < 2; ++op) {
-    const std::vector<std::uint8_t> filled = filled_loops(placed, op);
+    if (step.changes[op] == nullptr) continue;
+    if (steps_[op].made().get() == after[op]) walks[op] = WalkChanges(*after[op], steps_[op].moves());
+    else
+      walks[op] =
+          WalkChanges(*before[op], *after[op], origins_of(*step.changes[op], after[op]->vertex_of_index.size()));
+  }
+  return walks;
+}
+
+// Loops that are filled where they were not, or not where they were, are new.
+void EditedSum::renew_loops(const PlacedPair& placed, const std::array<std::vector<std::uint8_t>, 2>& filled,
+                            std::array<WalkChanges, 2>& walks) const {
+  const std::array<const Operand*, 2> before{placed_.p.get(), placed_.q.get()}, after{placed.p.get(), placed.q.get()};
+  for (std::uint32_t op = 0; op < 2; ++op) {
     const std::size_t columns = after[1 - op]->components.size();
-    const bool comparable = before[op]->loops.size() == after[op]->loops.size() && filled.size() == filled_[op].size();
+    const bool comparable =
+        before[op]->loops.size() == after[op]->loops.size() && filled[op].size() == filled_[op].size();
     for (std::size_t l = 0; l < after[op]->loops.size(); ++l) {
       const Loop& loop = after[op]->loops[l];
       if (loop.kind != LoopKind::hole) continue;
-      const auto row = filled.begin() + static_cast<std::ptrdiff_t>(l * columns);
+      const auto row = filled[op].begin() + static_cast<std::ptrdiff_t>(l * columns);
       if (comparable && std::equal(row, row + static_cast<std::ptrdiff_t>(columns),
                                    filled_[op].begin() + static_cast<std::ptrdiff_t>(l * columns)))
         continue;
       if (walks[op].unchanged()) {
-        VertexOrigins same(after[op]->vertex_of_index.size());
-        for (std::uint32_t v = 0; v < same.size(); ++v) same[v] = v;
-        walks[op] = WalkChanges(*before[op], *after[op], same);
+        VertexChanges same;
+        same.moved.emplace();
+        walks[op] = WalkChanges(*before[op], *after[op], origins_of(same, after[op]->vertex_of_index.size()));
       }
-      walks[op].renew(*after[op], loop);
+      walks[op].renew(loop);
     }
   }
-  return walks;
+}
+
+// One operand whose vertices moved is followed; else the convolution is made anew.
+void EditedSum::follow_convolution(const PlacedPair& placed, const std::array<WalkChanges, 2>& walks, bool same_holes) {
+  const std::uint32_t op = walks[0].unchanged() ? 1 : 0;
+  const OperandSteps& steps = steps_[op];
+  if (same_holes && walks[1 - op].unchanged() && steps.made() == (op == 0 ? placed.p : placed.q) &&
+      convolution_->can_follow())
+    convolution_->follow(*placed.lattice, *placed.p, *placed.q, op, steps.moves());
+  else convolution_ = std::make_unique<FollowedConvolution>(*placed.lattice, *placed.p, *placed.q);
 }
 
 void EditedSum::drop() {
@@ -144,7 +173,7 @@ void EditedSum::drop() {
 
 void EditedSum::keep(const PlacedPair& placed) {
   drop();
-  convolution_ = std::make_unique<ReducedConvolution>(*placed.lattice, *placed.p, *placed.q);
+  convolution_ = std::make_unique<FollowedConvolution>(*placed.lattice, *placed.p, *placed.q);
   cover_ = std::make_unique<CountedCover>(placed, grid_size(convolution_->size()));
   arrangement_ = std::make_unique<EditArrangement>(placed, *convolution_, *cover_);
   loops_ = std::make_unique<EditLoops>(placed.p->components.size() == 1 && placed.q->components.size() == 1);
@@ -191,8 +220,7 @@ Result<FrameChanges> EditedSum::rebuild(PlacedPair placed, const Step& step) {
   } else {
     drop();
   }
-  placed_ = std::move(placed);
-  for (std::uint32_t op = 0; op < 2; ++op) own_[op] = op == 0 ? placed_.p : placed_.q;
+  stand_on(std::move(placed), step);
   FrameChanges changes = take_scratch(std::move(sum).value());
   if (arrangement_ != nullptr && plain_) hand_over();
   return changes;
@@ -213,25 +241,28 @@ Result<FrameChanges> EditedSum::follow(const Step& step) {
       placed.p->components.size() != placed_.p->components.size() ||
       placed.q->components.size() != placed_.q->components.size())
     return rebuild(std::move(placed), step);
-  std::array<WalkChanges, 2> walks = changes_to(placed, step);
-  return update(std::move(placed), step, std::move(walks));
+  return update(std::move(placed), step);
 }
 
 // Whether a step changes so much that what is kept saves nothing.
 bool EditedSum::is_large(const Step& step) const {
   for (std::uint32_t op = 0; op < 2; ++op) {
-    if (step.origins[op] == nullptr || own_[op] == nullptr) continue;
+    if (step.changes[op] == nullptr || own_[op] == nullptr) continue;
     const std::vector<Point>& before = own_[op]->points->input;
     const double sign = own_[op]->reflected ? -1 : 1;
     std::size_t changed = 0;
-    std::uint32_t v = 0;
-    for_each_chain(step.regions[op]->data(), [&](const std::vector<Point>& chain) {
-      for (const Point p : chain) {
-        const std::uint32_t was = (*step.origins[op])[v++];
-        changed += was == kNone || before[was].x != sign * p.x || before[was].y != sign * p.y;
-      }
-    });
-    changed += v < before.size() ? before.size() - v : 0;
+    if (step.changes[op]->moved) {
+      changed = step.changes[op]->moved->size();
+    } else {
+      std::uint32_t v = 0;
+      for_each_chain(step.regions[op]->data(), [&](const std::vector<Point>& chain) {
+        for (const Point p : chain) {
+          const std::uint32_t was = step.changes[op]->origins[v++];
+          changed += was == kNone || before[was].x != sign * p.x || before[was].y != sign * p.y;
+        }
+      });
+      changed += v < before.size() ? before.size() - v : 0;
+    }
     if (static_cast<double>(changed) > kManyVertices * static_cast<double>(before.size())) return true;
   }
   return false;
@@ -255,20 +286,22 @@ void EditedSum::take_rings_back(const std::array<WalkChanges, 2>& walks) {
       if (cycle.ring) rename_vertices(*cycle.ring, walks);
 }
 
-FrameChanges EditedSum::update(PlacedPair placed, const Step& step, std::array<WalkChanges, 2> walks) {
-  static_cast<void>(step);
+FrameChanges EditedSum::update(PlacedPair placed, const Step& step) {
   const bool from_scratch = cycles_.empty();  // the rings of the sum are not those of cycles
   const Sizes sizes(sum_);
+  std::array<WalkChanges, 2> walks = changes_to(placed, step);
+  const std::array filled{filled_loops(placed, 0), filled_loops(placed, 1)};
+  const bool same_holes = filled == filled_;
+  if (!same_holes) renew_loops(placed, filled, walks);
   take_rings_back(walks);
-  auto convolution = std::make_unique<ReducedConvolution>(*placed.lattice, *placed.p, *placed.q);
-  arrangement_->remove_changed(walks, *convolution);
+  follow_convolution(placed, walks, same_holes);
+  arrangement_->remove_changed(walks, *convolution_);
   const std::vector<GridCell> uncovered = cover_->update(placed_, placed, walks);
-  arrangement_->rename(placed, *convolution, walks);
-  arrangement_->add_changed(walks, *convolution_, uncovered);
-  for (std::uint32_t op = 0; op < 2; ++op) filled_[op] = filled_loops(placed, op);
-  placed_ = std::move(placed);
-  for (std::uint32_t op = 0; op < 2; ++op) own_[op] = op == 0 ? placed_.p : placed_.q;
-  convolution_ = std::move(convolution);
+  const bool elsewhere = !same_numbers(placed);
+  arrangement_->rename(placed, *convolution_, walks, elsewhere);
+  arrangement_->add_changed(walks, uncovered);
+  filled_ = filled;
+  stand_on(std::move(placed), step);
 
   saved_ += kSavedByUpdate;
 
@@ -291,12 +324,14 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step, std::array<W
   work_.exact_signs = done.exact_signs + collision.counts().signs.exact();
   FrameChanges out;
   if (!work_.degenerate && !from_scratch) {
+    if (elsewhere) forget_rings();
     out = assemble();
   } else {
     PlanarSum before;
     std::vector<std::uint64_t> ids = ring_ids_;
     if (from_scratch) before = std::exchange(sum_, {});
     else ids = rings_before(before);
+    if (elsewhere) forget_rings();
     // Where a position is passed twice rings are joined anew, and tight features merged: as from scratch.
     if (work_.degenerate) sum_ = placed_sum(placed_, sum_options(false)).value();
     else assemble();
@@ -306,6 +341,11 @@ FrameChanges EditedSum::update(PlacedPair placed, const Step& step, std::array<W
   }
   finish(out, sizes, Sizes(sum_));
   return out;
+}
+
+// The rings of cycles that are as they were are written again.
+void EditedSum::forget_rings() {
+  for (auto& [id, cycle] : loops_->cycles()) cycle.ring.reset();
 }
 
 // The rings of before that cycles have, or had.
@@ -358,7 +398,7 @@ FrameChanges EditedSum::assemble() {
     EditCycle& cycle = loops_->cycles().at(id);
     rings.push_back(*std::exchange(cycle.ring, std::nullopt));
     cycle.ring.reset();
-    outer.push_back(cycle.turning > 0);
+    outer.push_back(cycle.winding > 0);
   }
   sum_ = PlanarSum{};
   exact_source(sum_) = source;

@@ -11,6 +11,7 @@
 #include "planar/edit/counted_cover.h"
 #include "planar/edit/edit_arrangement.h"
 #include "planar/edit/edit_loops.h"
+#include "planar/edit/moved_operand.h"
 #include "planar/frame/frame_rings.h"
 
 namespace dymsum::planar {
@@ -20,10 +21,10 @@ class EditedSum {
  public:
   explicit EditedSum(const EditOptions& options) : options_(options) {}
 
-  /// The operands of a step: regions and, per vertex, what it was before.
+  /// The operands of a step: regions, and what became of their vertices.
   struct Step {
     std::array<const Region*, 2> regions;
-    std::array<const VertexOrigins*, 2> origins{};  ///< null: this operand is as it was
+    std::array<const VertexChanges*, 2> changes{};  ///< null: this operand is as it was
   };
   /// From scratch. Errors: as minkowski_sum; then nothing changed.
   Result<FrameChanges> start(const Step& step);
@@ -35,20 +36,25 @@ class EditedSum {
   EditWork& work() { return work_; }
 
  private:
-  Result<PlacedPair> placed_pair(const Step& step) const;
+  Result<PlacedPair> placed_pair(const Step& step);
   bool can_keep(const PlacedPair& placed, const Step& step) const;
   bool is_large(const Step& step) const;
   bool comparable(const PlacedPair& placed) const;
   bool same_numbers(const PlacedPair& placed) const;
   std::array<WalkChanges, 2> changes_to(const PlacedPair& placed, const Step& step) const;
+  void renew_loops(const PlacedPair& placed, const std::array<std::vector<std::uint8_t>, 2>& filled,
+                   std::array<WalkChanges, 2>& walks) const;
   std::vector<std::uint8_t> filled_loops(const PlacedPair& placed, std::uint32_t op) const;
   Result<FrameChanges> rebuild(PlacedPair placed, const Step& step);
+  void stand_on(PlacedPair placed, const Step& step);
+  void follow_convolution(const PlacedPair& placed, const std::array<WalkChanges, 2>& walks, bool same_holes);
   void keep(const PlacedPair& placed);
   void hand_over();
   void drop();
-  FrameChanges update(PlacedPair placed, const Step& step, std::array<WalkChanges, 2> walks);
+  FrameChanges update(PlacedPair placed, const Step& step);
   FrameChanges take_scratch(PlanarSum sum);
   FrameChanges assemble();
+  void forget_rings();
   void take_rings_back(const std::array<WalkChanges, 2>& walks);
   std::vector<std::uint64_t> rings_before(PlanarSum& rings) const;
   SumOptions sum_options(bool asking) const;
@@ -56,7 +62,9 @@ class EditedSum {
   EditOptions options_;
   PlacedPair placed_;
   std::array<std::shared_ptr<const Operand>, 2> own_;  // as they are by themselves
-  std::unique_ptr<ReducedConvolution> convolution_;
+  std::array<OperandSteps, 2> steps_;
+  std::array<bool, 2> touching_{};  // their rings
+  std::unique_ptr<FollowedConvolution> convolution_;
   std::unique_ptr<CountedCover> cover_;
   std::unique_ptr<EditArrangement> arrangement_;
   std::unique_ptr<EditLoops> loops_;

@@ -1,8 +1,28 @@
 #include "planar/edit/walk_changes.h"
 
+#include <numeric>
+
 namespace dymsum::planar {
 
-WalkChanges::WalkChanges(const Operand&) {}
+VertexOrigins origins_of(const VertexChanges& changes, std::size_t n) {
+  if (!changes.moved) return changes.origins;
+  VertexOrigins origins(n);
+  std::iota(origins.begin(), origins.end(), 0u);
+  return origins;
+}
+
+WalkChanges::WalkChanges(const Operand& after, const OperandMoves& moves)
+    : unchanged_(false),
+      only_moves_(true),
+      new_edges_(moves.edges),
+      new_corners_(moves.corners),
+      vertex_stays_(after.size(), 1),
+      edge_stays_(after.size(), 1),
+      corner_stays_(after.size(), 1) {
+  for (const MovedVertex& m : moves.moved) vertex_stays_[m.vertex] = 0;
+  for (const std::uint32_t e : moves.edges) edge_stays_[e] = 0;
+  for (const std::uint32_t v : moves.corners) corner_stays_[v] = 0;
+}
 
 WalkChanges::WalkChanges(const Operand& before, const Operand& after, std::span<const std::uint32_t> origins)
     : unchanged_(false) {
@@ -28,7 +48,7 @@ WalkChanges::WalkChanges(const Operand& before, const Operand& after, std::span<
 
 void WalkChanges::compare_edges(const Operand& before, const Operand& after) {
   new_edges_.clear();
-  turned_.clear();
+  new_corners_.clear();
   edge_stays_.assign(after.size(), 0);
   corner_stays_.assign(after.size(), 0);
   for (std::uint32_t w = 0; w < after.size(); ++w) {
@@ -38,19 +58,22 @@ void WalkChanges::compare_edges(const Operand& before, const Operand& after) {
   }
   for (std::uint32_t w = 0; w < after.size(); ++w) {
     corner_stays_[w] = edge_stays_[w] && edge_stays_[after.prev[w]];
-    if (!corner_stays_[w]) turned_.push_back(w);
+    if (!corner_stays_[w]) new_corners_.push_back(w);
   }
 }
 
-void WalkChanges::renew(const Operand& after, const Loop& loop) {
+void WalkChanges::renew(const Loop& loop) {
   for (std::uint32_t w = loop.first; w < loop.last; ++w) {
     if (edge_stays_[w]) new_edges_.push_back(w);
-    if (corner_stays_[w]) turned_.push_back(w);
+    if (corner_stays_[w]) new_corners_.push_back(w);
     edge_stays_[w] = corner_stays_[w] = 0;
+    if (only_moves_) {
+      vertex_stays_[w] = 0;
+      continue;
+    }
     if (before_[w] != kNone) after_[before_[w]] = kNone;
     before_[w] = kNone;
   }
-  static_cast<void>(after);
 }
 
 }  // namespace dymsum::planar

@@ -93,6 +93,8 @@ struct Operand {
   std::size_t size() const { return source.size(); }
   const std::vector<EdgeTree>& trees() const { return trees_.of(*this); }  ///< per component
   Edge edge(std::uint32_t i) const { return {op, source[i], source[next[i]]}; }
+  /// Edges moved.
+  void forget_trees() { trees_ = EdgeTrees(); }
 
  private:
   EdgeTrees trees_;

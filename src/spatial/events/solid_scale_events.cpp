@@ -1,253 +1,24 @@
 #include "dymsum/solid_scale_events.h"
 
-#include <algorithm>
-#include <map>
-#include <mutex>
-#include <span>
-#include <string>
 #include <utility>
 
 #include "exact/big.h"
-#include "planar/operand/scale_value.h"
-#include "spatial/events/plane_names.h"
-#include "spatial/events/scale_judge.h"
-#include "spatial/motion/beside_origin.h"
+#include "spatial/events/scale_walk.h"
 #include "spatial/motion/posed_pair.h"
-#include "spatial/moving/moving_solid_sum.h"
-#include "spatial/moving/sum_shape.h"
 
 namespace dymsum {
 
 using exact::BigRational;
 using namespace spatial;
 
-namespace {
-
-std::optional<Error> refused(const Mesh& p, const Mesh& q, const SolidScaleOptions& options) {
-  if (options.threads < 0)
-    return Error{ErrorCode::out_of_range, "threads must be at least 0, not " + std::to_string(options.threads), {}};
-  if (p.has_thin_parts() || q.has_thin_parts())
-    return Error{ErrorCode::unsupported_operand, "an operand of a scaling sum of solids has parts without volume", {}};
-  return std::nullopt;
-}
-
-/// How far the window reaches beyond both ends, so that there is a scale before the first event and one after the last.
-constexpr double kBeside = 0x1p-12;
-
-struct JudgedScale {
-  ExactMeeting at;
-  BigRational s;
-  double near, radius;
-  JudgedPoint judged;
-};
-using Verdict = JudgedPoint::Verdict;
-
-bool is_before(const JudgedScale& a, const JudgedScale& b) {
-  if (a.near + a.radius < b.near - b.radius) return true;
-  if (b.near + b.radius < a.near - a.radius) return false;
-  return exact::compare(a.s, b.s) < 0;
-}
-
-/// The first of every scale, and the end.
-std::vector<std::size_t> first_of_each(const std::vector<JudgedScale>& judged) {
-  std::vector<std::size_t> first;
-  for (std::size_t k = 0; k < judged.size(); ++k)
-    if (k == 0 || judged[k].s != judged[k - 1].s) first.push_back(k);
-  first.push_back(judged.size());
-  return first;
-}
-
-/// Decides what doubles left unknown at one scale, as far as the points there decide.
-void judge_exactly(const MovingFacets& all, std::span<JudgedScale> points) {
-  std::optional<ExactJudge> judge;
-  for (JudgedScale& point : points) {
-    if (point.judged.verdict != Verdict::unknown) continue;
-    if (!judge && !ExactJudge::has_room(all, point.s)) return;
-    if (!judge) judge.emplace(all, point.s);
-    point.judged.verdict = judge->verdict(point.at, point.judged);
-  }
-}
-
-/// All points in a range of scales, by scales and with what they tell.
-std::vector<JudgedScale> judged_points(const MovingFacets& all, const ScaledOverlap& overlap, double low, double high,
-                                       SolidEventWork& work, StageWatch& watch) {
-  const std::vector<double> ends = window_ends(all, low, high);
-  std::vector<std::vector<JudgedScale>> parts(ends.size() - 1);
-  std::mutex counting;
-  watch.run(parts.size(), [&](std::size_t k) {
-    const auto query = [&] { watch.query_within_part(static_cast<double>(k) / static_cast<double>(parts.size())); };
-    Meetings found = find_meetings(all, overlap, ends[k], ends[k + 1], query);
-    for (MeetingEvent& event : found.points) {
-      query();
-      JudgedPoint judged = judge(all, found.facets, overlap, event);
-      BigRational s = event.at.scale();
-      parts[k].push_back({std::move(event.at), std::move(s), event.near.s, event.near.s_radius, std::move(judged)});
-    }
-    const std::lock_guard lock(counting);
-    work.candidates += found.candidates, work.exact += found.exact, work.points += found.points.size();
-  });
-  std::vector<JudgedScale> judged;
-  for (std::vector<JudgedScale>& part : parts)
-    judged.insert(judged.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
-  watch.sort(judged, is_before);
-  const std::vector<std::size_t> first = first_of_each(judged);
-  watch.run(first.size() - 1, [&](std::size_t k) {
-    watch.query_within_part(static_cast<double>(k) / static_cast<double>(first.size()));
-    judge_exactly(all, std::span(judged).subspan(first[k], first[k + 1] - first[k]));
-  });
-  return judged;
-}
-
-/// A scale at which a sum may change, with what is known of it.
-struct ScaleOfInterest {
-  BigRational s;
-  EventKind kind = EventKind::vertex_on_facet;
-  bool changes = false;           ///< provably
-  bool unknown = false;           ///< sums have to be compared, unless it provably changes
-  bool unknown_topology = false;  ///< in any case
-
-  bool has_to_be_compared() const { return unknown_topology || (unknown && !changes); }
-};
-
-/// All of them from `low` to `high` in order, and perhaps some just beside. Exact. Throws Cancelled.
-std::vector<ScaleOfInterest> scales_of_interest(const MovingFacets& all, const ScaledOverlap& overlap, double low,
-                                                double high, SolidEventWork& work, StageWatch& watch) {
-  std::vector<ScaleOfInterest> values;
-  for (const JudgedScale& j : judged_points(all, overlap, low, high, work, watch)) {
-    if (j.judged.verdict == Verdict::covered) continue;
-    if (values.empty() || values.back().s != j.s) values.push_back({j.s, j.judged.kind});
-    ScaleOfInterest& value = values.back();
-    value.kind = std::max(value.kind, j.judged.kind);
-    (j.judged.verdict == Verdict::changes ? value.changes : value.unknown) = true;
-    if (j.judged.verdict == Verdict::unknown) value.unknown_topology = true;
-  }
-  work.values += values.size();
-  return values;
-}
-
-}  // namespace
-
 class SolidScaleEvents::State {
  public:
-  State(const Mesh& p, const Mesh& q, const SolidScaleOptions& given)
-      : options_(given), given_(solid_pair(p, q), given.moving == MovingOperand::p ? 0 : 1) {
-    if (given_.pair().p.vertices.empty() || given_.pair().q.vertices.empty()) return;
-    stages_ = stage_options({});
-    stages_.semantics = options_.semantics, stages_.tight = options_.tight, stages_.threads = options_.threads;
-    SpatialStats stats;
-    StageWatch watch(stages_, stats);
-    watch.begin("convolution");
-    const std::optional<Mesh> near_p = beside_origin(p), near_q = beside_origin(q);
-    facets_.emplace(
-        near_p || near_q ? ScalingPair(solid_pair(near_p.value_or(p), near_q.value_or(q)), given_.moving()) : given_,
-        watch);
-    overlap_.emplace(*facets_);
-  }
-
-  std::size_t facet_count() const { return facets_ ? facets_->facets().size() : 0; }
-
-  SpatialSum at(const Scale& s, const Progress& progress) const {
-    return sum_of(given_, s, progress, options_.threads);
-  }
-  SumShape shape(const Scale& s, const Progress& progress) const { return shape_of_sum(given_, s, progress); }
-
-  std::vector<ScaleEvent> events(const BigRational& a, const BigRational& b, const Progress& progress,
-                                 SolidEventWork& work) const;
-  std::vector<BigRational> steps(const BigRational& from, const BigRational& to) const;
-
- private:
-  /// The convolution is that of edge vectors and normals, and refers to vertices by indices.
-  SpatialSum sum_of(const ScalingPair& of, const Scale& s, const Progress& progress, int threads) const {
-    if (!facets_) return {};
-    SpatialOptions stages = stages_;
-    stages.progress = progress, stages.threads = threads;
-    return sum_of_facets(of.pair(), posed_space(of.pair(), of.poses(s)), facets_->convolution(), {}, stages);
-  }
-  SumShape shape_of_sum(const ScalingPair& of, const Scale& s, const Progress& progress) const {
-    if (!facets_) return {};
-    return shape_of(sum_of(of, s, progress, 1), [&](const SolidContact& c) { return plane_name(of, c); });
-  }
-  using Shapes = std::map<BigRational, SumShape>;
-  Shapes shapes_at(const std::vector<BigRational>& scales, StageWatch& watch) const;
-
-  SolidScaleOptions options_;
-  ScalingPair given_;
-  SpatialOptions stages_;
-  /// Facets of the operands beside the origin, the events of which are those of the given ones: (P + c) + s (Q + d) is
-  /// P + s Q moved by c + s d.
-  std::optional<MovingFacets> facets_;
-  std::optional<ScaledOverlap> overlap_;
+  State(const Mesh& p, const Mesh& q, const SolidScaleOptions& options) : walk(p, q, options) {}
+  const ScaleWalk walk;
 };
 
-SolidScaleEvents::State::Shapes SolidScaleEvents::State::shapes_at(const std::vector<BigRational>& scales,
-                                                                   StageWatch& watch) const {
-  std::vector<SumShape> found(scales.size());
-  watch.run(scales.size(), [&](std::size_t k) {
-    found[k] = shape_of_sum(*facets_, computed_scale(scales[k]), [&](std::string_view, double) {
-      watch.query_within_part(static_cast<double>(k) / static_cast<double>(scales.size()));
-      return true;
-    });
-  });
-  Shapes shapes;
-  for (std::size_t k = 0; k < scales.size(); ++k) shapes.emplace(scales[k], std::move(found[k]));
-  return shapes;
-}
-
-std::vector<ScaleEvent> SolidScaleEvents::State::events(const BigRational& a, const BigRational& b,
-                                                        const Progress& progress, SolidEventWork& work) const {
-  if (!facets_) return {};
-  SpatialStats stats;
-  SpatialOptions queried = stages_;
-  queried.progress = progress;
-  StageWatch watch(queried, stats);
-  watch.begin("events");
-  const double low = exact::round_to_double(a) * (1 - kBeside), high = exact::round_to_double(b) * (1 + kBeside);
-  const std::vector<ScaleOfInterest> values = scales_of_interest(*facets_, *overlap_, low, high, work, watch);
-  // One scale between each two of them, and one beyond both ends.
-  std::vector<BigRational> between;
-  for (std::size_t k = 0; k <= values.size(); ++k) {
-    const BigRational before = k == 0 ? exact::exact_value(low) : values[k - 1].s,
-                      after = k == values.size() ? exact::exact_value(high) : values[k].s;
-    between.push_back(before < after ? planar::simple_between(before, after) : before);
-  }
-  watch.begin("sums");
-  std::vector<BigRational> wanted;
-  const auto is_queried = [&](const ScaleOfInterest& v) { return v.s >= a && v.s <= b; };
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (values[k].has_to_be_compared() && is_queried(values[k]))
-      for (const BigRational& s : {between[k], values[k].s, between[k + 1]})
-        if (wanted.empty() || wanted.back() < s) wanted.push_back(s);
-  const Shapes shapes = shapes_at(wanted, watch);
-  work.sums += wanted.size();
-  std::vector<ScaleEvent> events;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const ScaleOfInterest& v = values[k];
-    if (!is_queried(v)) continue;
-    ShapeChange change{v.changes, false};
-    if (v.has_to_be_compared()) {
-      change = change_of(shapes.at(between[k]), shapes.at(v.s), shapes.at(between[k + 1]));
-      change.visible = change.visible || v.changes;
-    }
-    if (change.visible)
-      events.push_back({exact::to_rational(v.s), exact::round_to_double(v.s), v.kind, true, change.topology});
-  }
-  watch.begin("");
-  return events;
-}
-
-/// Ends of ranges in which facets move by about their own size.
-std::vector<BigRational> SolidScaleEvents::State::steps(const BigRational& from, const BigRational& to) const {
-  if (!facets_) return {from, to};
-  std::vector<BigRational> ends{from};
-  const std::vector<double> windows = window_ends(*facets_, exact::round_to_double(from), exact::round_to_double(to));
-  for (const double end : windows)
-    if (const BigRational e = exact::exact_value(end); e > ends.back() && e < to) ends.push_back(e);
-  ends.push_back(to);
-  return ends;
-}
-
 Result<SolidScaleEvents> SolidScaleEvents::create(const Mesh& p, const Mesh& q, const SolidScaleOptions& options) {
-  if (std::optional<Error> error = refused(p, q, options)) return *std::move(error);
+  if (std::optional<Error> error = scaling_refusal(p, q, options.threads)) return *std::move(error);
   return guarded([&] { return SolidScaleEvents(std::make_unique<State>(p, q, options)); });
 }
 
@@ -256,10 +27,10 @@ SolidScaleEvents::SolidScaleEvents(SolidScaleEvents&&) noexcept = default;
 SolidScaleEvents& SolidScaleEvents::operator=(SolidScaleEvents&&) noexcept = default;
 SolidScaleEvents::~SolidScaleEvents() = default;
 
-std::size_t SolidScaleEvents::facet_count() const { return state_->facet_count(); }
+std::size_t SolidScaleEvents::facet_count() const { return state_->walk.facet_count(); }
 
 Result<SpatialSum> SolidScaleEvents::at(const Scale& s, const Progress& progress) const {
-  return guarded([&] { return state_->at(s, progress); });
+  return guarded([&] { return state_->walk.at(s, progress); });
 }
 
 Result<std::vector<ScaleEvent>> SolidScaleEvents::events(const Scale& a, const Scale& b, const Progress& progress,
@@ -269,7 +40,7 @@ Result<std::vector<ScaleEvent>> SolidScaleEvents::events(const Scale& a, const S
   SolidEventWork counted;
   return within_scales([&] {
     return guarded([&] {
-      std::vector<ScaleEvent> events = state_->events(from, to, progress, counted);
+      std::vector<ScaleEvent> events = state_->walk.events(from, to, ListedScales::visible, progress, counted);
       if (work != nullptr) *work = counted;
       return events;
     });
@@ -282,9 +53,9 @@ Result<std::optional<ScaleEvent>> SolidScaleEvents::next_event(const Scale& s, c
   if (from > to) return Error{ErrorCode::bad_scale, "the range of scales begins after its end", {}};
   const auto first_event = [&]() -> std::optional<ScaleEvent> {
     SolidEventWork work;
-    const std::vector<BigRational> ends = state_->steps(from, to);
+    const std::vector<BigRational> ends = state_->walk.steps(from, to);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k)
-      for (const ScaleEvent& event : state_->events(ends[k], ends[k + 1], progress, work))
+      for (const ScaleEvent& event : state_->walk.events(ends[k], ends[k + 1], ListedScales::visible, progress, work))
         if (exact::exact_value(event.parameter) > from && (change == EventChange::visible || event.topology))
           return event;
     return std::nullopt;
@@ -293,7 +64,7 @@ Result<std::optional<ScaleEvent>> SolidScaleEvents::next_event(const Scale& s, c
 }
 
 Result<std::uint64_t> SolidScaleEvents::combinatorial_hash(const Scale& s, const Progress& progress) const {
-  return guarded([&] { return state_->shape(s, progress).hash; });
+  return guarded([&] { return state_->walk.shape(s, progress).hash; });
 }
 
 }  // namespace dymsum

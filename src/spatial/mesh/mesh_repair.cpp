@@ -42,7 +42,7 @@ bool all_edges_balanced(const std::vector<Face>& faces) {
   for (const Face& face : faces) {
     for (std::size_t k = 0; k < face.size(); ++k) {
       const std::uint32_t a = face[k], b = face[k + 1 < face.size() ? k + 1 : 0];
-      sides.push_back({{std::min(a, b), std::max(a, b)}, a < b});
+      if (a != b) sides.push_back({{std::min(a, b), std::max(a, b)}, a < b});
     }
   }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.ends < b.ends; });
@@ -55,9 +55,7 @@ bool all_edges_balanced(const std::vector<Face>& faces) {
   return true;
 }
 
-/// Which faces run as one before them does, vertex by vertex; empty where none does, and where all edges have as many
-/// faces in one direction as in the other, so that with them the faces are closed: as bodies given twice, which are
-/// bodies that overlap. O(n log n).
+/// Which faces run as one before them does, vertex by vertex; empty where none does. O(n log n).
 std::vector<bool> duplicate_faces(const std::vector<Face>& faces) {
   std::vector<Face> keys;
   keys.reserve(faces.size());
@@ -69,7 +67,7 @@ std::vector<bool> duplicate_faces(const std::vector<Face>& faces) {
   bool any = false;
   for (std::size_t k = 1; k < order.size(); ++k)
     if (keys[order[k]] == keys[order[k - 1]]) again[order[k]] = any = true;
-  if (!any || all_edges_balanced(faces)) again.clear();
+  if (!any) again.clear();
   return again;
 }
 
@@ -175,6 +173,7 @@ class MeshRepair {
       if (!thin && may(MeshRepairKind::faces_without_area) && !has_area(face)) {
         ++log_.counts.degenerate_faces;
         mark_face(MeshRepairKind::faces_without_area, face);
+        on_a_line_.push_back(std::move(face));
         continue;
       }
       kept.push_back(std::move(face));
@@ -204,9 +203,14 @@ class MeshRepair {
     return all - kept;
   }
 
+  /// Where all edges have as many faces in one direction as in the other, nothing is dropped: these are bodies given
+  /// twice, which are bodies that overlap. Faces on a line that were dropped may close the others.
   void drop_duplicate_faces() {
     const std::vector<bool> again = duplicate_faces(data_.faces);
-    if (again.empty()) return;
+    if (again.empty() || all_edges_balanced(data_.faces)) return;
+    std::vector<Face> with_lines = data_.faces;
+    with_lines.insert(with_lines.end(), on_a_line_.begin(), on_a_line_.end());
+    if (all_edges_balanced(with_lines)) return;
     log_.duplicate_faces = drop_faces(MeshRepairKind::duplicate_faces, [&](std::size_t f) { return bool{again[f]}; });
   }
 
@@ -393,6 +397,7 @@ class MeshRepair {
   RepairMode mode_;
   MeshRepairLog log_;
   RepairMarks marks_;
+  std::vector<Face> on_a_line_;                ///< faces that were dropped as they have no area
   std::vector<bool> is_duplicate_, was_used_;  ///< of vertices: whether one before has its position; at first
   std::vector<std::int64_t> face_origin_, vertex_origin_;
 };

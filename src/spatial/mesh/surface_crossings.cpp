@@ -51,16 +51,28 @@ bool meet_in_plane(const Segment& s, const Corners& t) {
   return side == orient_sign(b, c, p) && side == orient_sign(c, a, p);
 }
 
-/// A closed segment and a closed triangle.
-bool meet(const Segment& s, const Corners& t) {
-  const int p_side = orient3_sign(t.a, t.b, t.c, s.p), q_side = orient3_sign(t.a, t.b, t.c, s.q);
-  if (p_side * q_side > 0) return false;
-  if (p_side == 0 && q_side == 0) return meet_in_plane(s, t);
-  // The line meets the plane once, inside the triangle unless it passes its sides in different senses.
-  const std::array<int, 3> sides{orient3_sign(s.p, s.q, t.a, t.b), orient3_sign(s.p, s.q, t.b, t.c),
-                                 orient3_sign(s.p, s.q, t.c, t.a)};
-  const auto [least, most] = std::minmax_element(sides.begin(), sides.end());
+/// A closed segment with ends on both sides of the plane of a closed triangle, or one of them on it: the line meets the
+/// plane once, inside the triangle unless it passes the sides in different senses.
+bool pass_sides_alike(const std::array<int, 3>& senses) {
+  const auto [least, most] = std::minmax_element(senses.begin(), senses.end());
   return *least * *most >= 0;
+}
+
+std::array<int, 3> sides_of(const Corners& plane, const Corners& t) {
+  return {orient3_sign(plane.a, plane.b, plane.c, t.a), orient3_sign(plane.a, plane.b, plane.c, t.b),
+          orient3_sign(plane.a, plane.b, plane.c, t.c)};
+}
+bool on_one_side(const std::array<int, 3>& side) { return side[0] != 0 && side[0] == side[1] && side[0] == side[2]; }
+
+/// A closed segment and a closed triangle, with the sides of its plane on which the ends are, not both on one of them.
+bool meet(const Segment& s, const Corners& t, int p_side, int q_side) {
+  if (p_side == 0 && q_side == 0) return meet_in_plane(s, t);
+  return pass_sides_alike(
+      {orient3_sign(s.p, s.q, t.a, t.b), orient3_sign(s.p, s.q, t.b, t.c), orient3_sign(s.p, s.q, t.c, t.a)});
+}
+
+Segment side_of(const Corners& t, std::size_t k) {
+  return k == 0 ? Segment{t.a, t.b} : k == 1 ? Segment{t.b, t.c} : Segment{t.c, t.a};
 }
 
 /// A position near the point in which the segment meets the triangle's plane.
@@ -76,19 +88,22 @@ Point3 position(const Segment& s, const Corners& t) {
 
 class MeetingSearch {
  public:
+  /// Of faces that are the triangles.
+  MeetingSearch(const std::vector<Point3>& vertices, const std::vector<Triangle>& triangles)
+      : vertices_(vertices), triangles_(triangles) {}
   MeetingSearch(const MeshData& data, const Triangles& triangles)
-      : data_(data), triangles_(triangles), is_edge_(3 * triangles.triangles.size()) {
-    mark_edges();
+      : vertices_(data.vertices), triangles_(triangles.triangles) {
+    mark_edges(data.faces, triangles.face);
   }
 
-  std::optional<FaceMeeting> run(const BoxTree& boxes) const {
+  std::optional<FaceMeeting> run(const BoxTree& boxes, const std::vector<std::uint32_t>& face) const {
     std::optional<FaceMeeting> first;
-    for (std::uint32_t i = 0; i < triangles_.triangles.size(); ++i) {
-      if (first && first->face < triangles_.face[i]) break;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      if (first && first->face < face[i]) break;
       boxes.for_each(boxes.box(i), [&](std::uint32_t j) {
-        if (triangles_.face[j] <= triangles_.face[i]) return;
-        if (first && first->other_face <= triangles_.face[j]) return;
-        if (const auto at = meeting(i, j)) first = {triangles_.face[i], triangles_.face[j], *at};
+        if (face[j] <= face[i]) return;
+        if (first && first->other_face <= face[j]) return;
+        if (const auto at = meeting(i, j)) first = {face[i], face[j], *at};
       });
     }
     return first;
@@ -96,7 +111,7 @@ class MeetingSearch {
 
   std::vector<std::array<std::uint32_t, 2>> all(const BoxTree& boxes, const std::vector<bool>& queried) const {
     std::vector<std::array<std::uint32_t, 2>> found;
-    for (std::uint32_t i = 0; i < triangles_.triangles.size(); ++i) {
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
       if (!queried[i]) continue;
       boxes.for_each(boxes.box(i), [&](std::uint32_t j) {
         if (i == j || (queried[j] && j < i)) return;
@@ -109,25 +124,27 @@ class MeetingSearch {
 
  private:
   // Marks the sides of triangles that are edges of their faces; the others run through its inside.
-  void mark_edges() {
-    std::vector<std::uint32_t> next(data_.vertices.size());
-    for (std::size_t t = 0, f = data_.faces.size(); t < triangles_.triangles.size(); ++t) {
-      if (f != triangles_.face[t]) {
-        f = triangles_.face[t];
-        const Face& face = data_.faces[f];
+  void mark_edges(const std::vector<Face>& faces, const std::vector<std::uint32_t>& face_of) {
+    is_edge_.resize(3 * triangles_.size());
+    std::vector<std::uint32_t> next(vertices_.size());
+    for (std::size_t t = 0, f = faces.size(); t < triangles_.size(); ++t) {
+      if (f != face_of[t]) {
+        f = face_of[t];
+        const Face& face = faces[f];
         for (std::size_t k = 0; k < face.size(); ++k) next[face[k]] = face[(k + 1) % face.size()];
       }
-      const Triangle& corners = triangles_.triangles[t];
+      const Triangle& corners = triangles_[t];
       for (std::size_t k = 0; k < 3; ++k) is_edge_[3 * t + k] = next[corners[k]] == corners[(k + 1) % 3];
     }
   }
+  bool is_edge(std::uint32_t t, std::size_t k) const { return is_edge_.empty() || is_edge_[3 * t + k]; }
 
-  const Point3& at(std::uint32_t v) const { return data_.vertices[v]; }
+  const Point3& at(std::uint32_t v) const { return vertices_[v]; }
   Corners corners(const Triangle& t) const { return {at(t[0]), at(t[1]), at(t[2])}; }
 
   /// A common point of two triangles of different faces that they may not have.
   std::optional<Point3> meeting(std::uint32_t i, std::uint32_t j) const {
-    const Triangle &s = triangles_.triangles[i], &t = triangles_.triangles[j];
+    const Triangle &s = triangles_[i], &t = triangles_[j];
     std::array<std::uint32_t, 3> shared_s{}, shared_t{};
     int shared = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -141,23 +158,35 @@ class MeetingSearch {
     return edge_meeting(i, 3 - shared_s[0] - shared_s[1], j, 3 - shared_t[0] - shared_t[1]);
   }
 
-  bool one_side(const Corners& plane, const Point3& p, const Point3& q) const {
-    const int side = orient3_sign(plane.a, plane.b, plane.c, p);
-    return side != 0 && side == orient3_sign(plane.a, plane.b, plane.c, q);
-  }
-  bool one_side(const Corners& plane, const Corners& t) const {
-    const int side = orient3_sign(plane.a, plane.b, plane.c, t.a);
-    return side != 0 && side == orient3_sign(plane.a, plane.b, plane.c, t.b) &&
-           side == orient3_sign(plane.a, plane.b, plane.c, t.c);
-  }
-
-  /// A common point of triangles without a common vertex, on a side of one of the two: any is too much.
+  /// A common point of triangles without a common vertex, on a side of one of the two: any is too much. An orientation
+  /// of a side of the one and a side of the other is that of these in the other order: it is found once.
   std::optional<Point3> apart_meeting(const Triangle& s, const Triangle& t) const {
-    const Corners a = corners(s), b = corners(t);
-    if (one_side(a, b) || one_side(b, a)) return std::nullopt;
-    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-      for (const Segment& side : {Segment{from.a, from.b}, Segment{from.b, from.c}, Segment{from.c, from.a}}) {
-        if (meet(side, to)) return position(side, to);
+    const std::array<Corners, 2> of{corners(s), corners(t)};
+    std::array<std::array<int, 3>, 2> side;  // of the corners of each, of the other's plane
+    for (std::size_t k = 0; k < 2; ++k) {
+      side[k] = sides_of(of[1 - k], of[k]);
+      if (on_one_side(side[k])) return std::nullopt;
+    }
+    std::array<std::array<std::optional<int>, 3>, 3> sense;  // of sides of the first and of the second
+    for (std::size_t k = 0; k < 2; ++k) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Segment one = side_of(of[k], i);
+        const int p_side = side[k][i], q_side = side[k][(i + 1) % 3];
+        if (p_side * q_side > 0) continue;
+        bool met = false;
+        if (p_side == 0 && q_side == 0) {
+          met = meet_in_plane(one, of[1 - k]);
+        } else {
+          std::array<int, 3> senses;
+          for (std::size_t j = 0; j < 3; ++j) {
+            std::optional<int>& known = k == 0 ? sense[i][j] : sense[j][i];
+            const Segment other = side_of(of[1 - k], j);
+            if (!known) known = orient3_sign(one.p, one.q, other.p, other.q);
+            senses[j] = *known;
+          }
+          met = pass_sides_alike(senses);
+        }
+        if (met) return position(one, of[1 - k]);
       }
     }
     return std::nullopt;
@@ -169,28 +198,35 @@ class MeetingSearch {
     const Corners a = corners(s), b = corners(t);
     const Segment opposite_s{at(s[(k + 1) % 3]), at(s[(k + 2) % 3])},
         opposite_t{at(t[(l + 1) % 3]), at(t[(l + 2) % 3])};
-    if (one_side(b, opposite_s.p, opposite_s.q) || one_side(a, opposite_t.p, opposite_t.q)) return std::nullopt;
-    if (meet(opposite_s, b)) return position(opposite_s, b);
-    if (meet(opposite_t, a)) return position(opposite_t, a);
+    const auto sides = [](const Corners& plane, const Segment& ends) {
+      return std::array{orient3_sign(plane.a, plane.b, plane.c, ends.p),
+                        orient3_sign(plane.a, plane.b, plane.c, ends.q)};
+    };
+    const auto [s_p, s_q] = sides(b, opposite_s);
+    if (s_p * s_q > 0) return std::nullopt;
+    const auto [t_p, t_q] = sides(a, opposite_t);
+    if (t_p * t_q > 0) return std::nullopt;
+    if (meet(opposite_s, b, s_p, s_q)) return position(opposite_s, b);
+    if (meet(opposite_t, a, t_p, t_q)) return position(opposite_t, a);
     return std::nullopt;
   }
 
   /// A common point of triangles with two common vertices, the corners k and l being the others: the edge between the
   /// common ones has to be an edge of both faces, and they may not lie on each other.
   std::optional<Point3> edge_meeting(std::uint32_t i, std::uint32_t k, std::uint32_t j, std::uint32_t l) const {
-    const Triangle &s = triangles_.triangles[i], &t = triangles_.triangles[j];
+    const Triangle &s = triangles_[i], &t = triangles_[j];
     const Point3 &u = at(s[(k + 1) % 3]), &v = at(s[(k + 2) % 3]), &a = at(s[k]), &b = at(t[l]);
     const Point3 midpoint{u.x / 2 + v.x / 2, u.y / 2 + v.y / 2, u.z / 2 + v.z / 2};
-    if (!is_edge_[3 * i + (k + 1) % 3] || !is_edge_[3 * j + (l + 1) % 3]) return midpoint;
+    if (!is_edge(i, (k + 1) % 3) || !is_edge(j, (l + 1) % 3)) return midpoint;
     if (orient3_sign(u, v, a, b) != 0) return std::nullopt;
     const exact::Axis axis = axis_of({u, v, a});
     return exact::normal_sign(u, v, a, axis) == exact::normal_sign(u, v, b, axis) ? std::optional(midpoint)
                                                                                   : std::nullopt;
   }
 
-  const MeshData& data_;
-  const Triangles& triangles_;
-  std::vector<bool> is_edge_;  // per triangle t its side from corner k on: 3 t + k
+  const std::vector<Point3>& vertices_;
+  const std::vector<Triangle>& triangles_;
+  std::vector<bool> is_edge_;  // per triangle t its side from corner k on: 3 t + k; empty where all are
 };
 
 }  // namespace
@@ -204,12 +240,18 @@ BoxTree boxes_of(const std::vector<Point3>& vertices, const std::vector<Triangle
 }
 
 std::optional<FaceMeeting> find_meeting(const MeshData& data, const Triangles& triangles, const BoxTree& boxes) {
-  return MeetingSearch(data, triangles).run(boxes);
+  return MeetingSearch(data, triangles).run(boxes, triangles.face);
 }
 
 std::vector<std::array<std::uint32_t, 2>> find_meetings(const MeshData& data, const Triangles& triangles,
                                                         const BoxTree& boxes, const std::vector<bool>& queried) {
   return MeetingSearch(data, triangles).all(boxes, queried);
+}
+
+std::vector<std::array<std::uint32_t, 2>> find_meetings(const std::vector<Point3>& vertices,
+                                                        const std::vector<Triangle>& triangles, const BoxTree& boxes,
+                                                        const std::vector<bool>& queried) {
+  return MeetingSearch(vertices, triangles).all(boxes, queried);
 }
 
 }  // namespace dymsum::spatial

@@ -28,9 +28,13 @@ BoxTree boxes_of(const std::vector<Point3>& vertices, const std::vector<Triangle
 /// with overlapping boxes.
 std::optional<FaceMeeting> find_meeting(const MeshData& data, const Triangles& triangles, const BoxTree& boxes);
 
-/// All meetings of two triangles, one of which is `queried` for, the smaller index first, sorted. Of a surface whose
-/// faces are the triangles, under the same requirements, but edges may have any number of them.
+/// All meetings of two triangles, one of which is `queried` for, the smaller index first, sorted. The same
+/// requirements, but edges may have any number of faces.
 std::vector<std::array<std::uint32_t, 2>> find_meetings(const MeshData& data, const Triangles& triangles,
                                                         const BoxTree& boxes, const std::vector<bool>& queried);
+/// Of a surface whose faces are the triangles.
+std::vector<std::array<std::uint32_t, 2>> find_meetings(const std::vector<Point3>& vertices,
+                                                        const std::vector<Triangle>& triangles, const BoxTree& boxes,
+                                                        const std::vector<bool>& queried);
 
 }  // namespace dymsum::spatial

@@ -27,14 +27,14 @@ SpatialOptions stage_options(const MovingSolidOptions& options) {
 }
 
 SpatialSum sum_of_facets(const SolidPair& pair, PosedSpace space, ReducedConvolution convolution,
-                         const ConvolutionHints& hints, const SpatialOptions& options) {
+                         const ConvolutionHints& hints, const SpatialOptions& options, CornerContacts* corners) {
   SpatialSum sum;
   StageWatch watch(options, sum.stats);
   watch.begin("inner facets");
   SolidBoundary boundary =
       solid_boundary(std::move(space.space), std::move(convolution), pair.p, pair.q, hints, options, sum.stats, watch);
   watch.begin("faces");
-  assemble(boundary, pair.p, pair.q, sum, watch);
+  assemble(boundary, pair.p, pair.q, sum, watch, corners);
   watch.begin("");
   unscale(sum, space.scale);
   return sum;
@@ -45,12 +45,12 @@ SpatialSum fresh_sum(const SolidPair& pair, const PosePair& poses, const Spatial
   return fresh_sum(pair, posed_space(pair, poses), options);
 }
 
-SpatialSum fresh_sum(const SolidPair& pair, PosedSpace space, const SpatialOptions& options) {
+SpatialSum fresh_sum(const SolidPair& pair, PosedSpace space, const SpatialOptions& options, CornerContacts* corners) {
   SpatialStats stats;
   StageWatch watch(options, stats);
   watch.begin("convolution");
   ReducedConvolution convolution = reduced_convolution(*space.space, pair.p, pair.q, watch);
-  return sum_of_facets(pair, std::move(space), std::move(convolution), {}, options);
+  return sum_of_facets(pair, std::move(space), std::move(convolution), {}, options, corners);
 }
 
 namespace {

@@ -7,19 +7,22 @@
 #include "dymsum/moving_solid_sum.h"
 #include "spatial/motion/posed_pair.h"
 #include "spatial/sum/solid_boundary.h"
+#include "spatial/sum/solid_faces.h"
 
 namespace dymsum::spatial {
 
 SpatialOptions stage_options(const MovingSolidOptions& options);
 
-/// The stages after the convolution. Throws Cancelled.
+/// The stages after the convolution. `corners`: as of assemble. Throws Cancelled.
 SpatialSum sum_of_facets(const SolidPair& pair, PosedSpace space, ReducedConvolution convolution,
-                         const ConvolutionHints& hints, const SpatialOptions& options);
+                         const ConvolutionHints& hints, const SpatialOptions& options,
+                         CornerContacts* corners = nullptr);
 /// All stages. Throws Cancelled, and std::invalid_argument as posed_space.
 SpatialSum fresh_sum(const SolidPair& pair, const PosePair& poses, const SpatialOptions& options);
 
 /// The same in the space of given poses.
-SpatialSum fresh_sum(const SolidPair& pair, PosedSpace space, const SpatialOptions& options);
+SpatialSum fresh_sum(const SolidPair& pair, PosedSpace space, const SpatialOptions& options,
+                     CornerContacts* corners = nullptr);
 
 /// Calls make(), and reports what it throws as errors.
 template <class F>

@@ -79,7 +79,7 @@ class Separation {
     while (can_go_on() && !flatten()) ++round_;
     if (can_go_on()) first_ = std::make_shared<const Meetings>(meetings());
   }
-  /// Whether nothing meets any more, once what is nearer than the tolerance is merged.
+  /// Whether nothing meets any more but triangles that are one, once what is nearer than the tolerance is merged.
   bool run(double tolerance) {
     tolerance_ = tolerance;
     std::size_t fewest = SIZE_MAX, last = 0, looked_at = 0;
@@ -87,7 +87,7 @@ class Separation {
       if (!flatten()) continue;
       const std::shared_ptr<const Meetings> first = std::exchange(first_, nullptr);
       const Meetings met = first ? *first : meetings();
-      if (met.empty()) return true;
+      if (std::all_of(met.begin(), met.end(), [&](const auto& pair) { return are_one(pair[0], pair[1]); })) return true;
       // Surfaces that run into each other over and over meet in more pairs from round to round.
       if (met.size() < fewest) fewest = met.size(), last = 0;
       looked_at += met.size();
@@ -119,11 +119,18 @@ class Separation {
   double moved(double gap, double u, double v = 0) const { return gap + (size_ + u + v) * 0x1p-50; }
 
   bool can_go_on() const { return round_ < kRounds && !stuck_ && edits_.moved() <= limit_; }
+  /// Triangles with the same corners, which run the same way, as others cancel each other: beside them a sliver is gone
+  /// around twice, or inside out.
+  bool are_one(std::uint32_t s, std::uint32_t t) const {
+    std::array<std::uint32_t, 3> a = edits_.parts()[s].v, b = edits_.parts()[t].v;
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    return a == b;
+  }
   void merge_equal();
   bool flatten();
   void plant();
-  bool is_queried(std::uint32_t part) const { return part >= looked_at_ || met_.contains(part); }
-  std::vector<std::uint32_t> near_queried() const;
+  std::vector<std::uint32_t> near_new() const;
   Meetings meetings();
   void resolve(const Meetings& meetings);
   void apply(const Near& near);
@@ -154,7 +161,7 @@ class Separation {
   std::shared_ptr<const PartTree> tree_;   // of an earlier round: a part keeps its corners as long as it lives
   std::size_t flat_until_ = 0;             // parts before this one are not flat
   std::size_t looked_at_ = 0;              // parts from here on are new
-  std::set<std::uint32_t> met_;            // of those before, which met another one
+  Meetings known_;                         // of those before
   bool stuck_ = false;                     // parts meet that have nothing near enough
   std::size_t merged_ = 0, collapsed_ = 0, bends_ = 0;
   Point3 position_{};
@@ -299,59 +306,55 @@ void Separation::plant() {
   tree_ = std::move(tree);
 }
 
-/// The live parts whose boxes overlap that of one that is queried for, and perhaps more, sorted.
-std::vector<std::uint32_t> Separation::near_queried() const {
-  std::set<std::uint32_t> found;
-  const auto look = [&](std::uint32_t t) {
-    const SurfacePart& part = edits_.parts()[t];
-    if (!part.live) return;
+/// The live parts whose boxes overlap that of a new one, and perhaps more, sorted.
+std::vector<std::uint32_t> Separation::near_new() const {
+  std::vector<std::uint32_t> found;
+  for (std::size_t t = looked_at_; t < edits_.parts().size(); ++t) {
+    if (!edits_.parts()[t].live) continue;
     Box box;
-    for (const std::uint32_t v : part.v) box.add(at(v));
-    found.insert(t);
+    for (const std::uint32_t v : edits_.parts()[t].v) box.add(at(v));
     tree_->boxes.for_each(box, [&](std::uint32_t i) {
-      if (edits_.parts()[tree_->part[i]].live) found.insert(tree_->part[i]);
+      if (edits_.parts()[tree_->part[i]].live) found.push_back(tree_->part[i]);
     });
-  };
-  for (const std::uint32_t t : met_) look(t);
-  for (std::size_t t = looked_at_; t < edits_.parts().size(); ++t) look(static_cast<std::uint32_t>(t));
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   for (std::size_t t = tree_->end; t < edits_.parts().size(); ++t)
-    if (edits_.parts()[t].live) found.insert(static_cast<std::uint32_t>(t));
-  return {found.begin(), found.end()};
+    if (edits_.parts()[t].live) found.push_back(static_cast<std::uint32_t>(t));
+  return found;
 }
 
-/// What meets now of those parts that are new or met before: others were found apart. Only what is near them is looked
-/// at, so a round costs what it changed.
+/// What meets now: a pair of parts that were there before does so if it did, and whatever else meets has a new one.
+/// Only what is near these is looked at, so a round costs what it changed.
 Meetings Separation::meetings() {
   const bool all = !tree_ || edits_.parts().size() - tree_->end > tree_->part.size() / 4;
   if (all) plant();
-  const std::vector<std::uint32_t> part = all ? tree_->part : near_queried();
-  MeshData data;
-  data.vertices = edits_.vertices();
-  Triangles live;
+  const std::vector<std::uint32_t> part = all ? tree_->part : near_new();
+  std::vector<Triangle> triangles;
   std::vector<bool> queried;
   for (const std::uint32_t t : part) {
-    const SurfacePart& p = edits_.parts()[t];
-    live.face.push_back(static_cast<std::uint32_t>(data.faces.size()));
-    live.triangles.push_back(p.v);
-    data.faces.push_back({p.v[0], p.v[1], p.v[2]});
-    queried.push_back(is_queried(t));
+    triangles.push_back(edits_.parts()[t].v);
+    queried.push_back(t >= looked_at_);
   }
-  Meetings found = find_meetings(data, live, all ? tree_->boxes : boxes_of(data.vertices, live.triangles), queried);
+  Meetings found =
+      find_meetings(edits_.vertices(), triangles, all ? tree_->boxes : boxes_of(edits_.vertices(), triangles), queried);
   for (auto& pair : found) pair = {part[pair[0]], part[pair[1]]};
+  for (const auto& pair : known_)
+    if (edits_.parts()[pair[0]].live && edits_.parts()[pair[1]].live) found.push_back(pair);
+  std::sort(found.begin(), found.end());
   return found;
 }
 
 /// Moves apart what is near where two parts meet: the nearest goes first; nothing is touched twice.
 void Separation::resolve(const Meetings& meetings) {
   std::set<Near> found;
-  met_.clear();
+  known_ = meetings;
   looked_at_ = edits_.parts().size();
   for (const auto& [i, j] : meetings) {
     const SurfacePart &s = edits_.parts()[i], &t = edits_.parts()[j];
     position_ = point(s.v[0]);
     const Near near = nearest(s, t);
     if (near.kind != Near::none) found.insert(near);
-    met_.insert({i, j});
   }
   std::set<std::uint32_t> touched;
   for (const Near& near : found) {

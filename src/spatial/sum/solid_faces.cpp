@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include "base/memory_budget.h"
@@ -14,6 +15,7 @@
 #include "spatial/arrangement/solid_arrangement.h"
 #include "spatial/sum/feature_pairs.h"
 #include "spatial/sum/sum_source.h"
+#include "spatial/sum/vertex_order.h"
 
 namespace dymsum::spatial {
 namespace {
@@ -217,13 +219,14 @@ std::vector<CellPolygon> merged_cells(const SumSpace& space, const SolidArrangem
 class Assembler {
  public:
   Assembler(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum,
-            StageWatch& watch)
+            StageWatch& watch, CornerContacts* corners)
       : boundary_(boundary),
         space_(*boundary.space),
         arrangement_(*boundary.arrangement),
         pairs_(boundary, p, q, watch),
         sum_(sum),
-        watch_(watch) {}
+        watch_(watch),
+        corners_(corners) {}
 
   void run() {
     std::vector<CellPolygon> faces = merged_cells(space_, arrangement_, boundary_selection(), watch_);
@@ -260,43 +263,6 @@ class Assembler {
     return static_cast<std::int8_t>(side);
   }
 
-  /// The sign of b's position less a's, by x, y, z.
-  int order(PointId a, PointId b) const {
-    if (a == b) return 0;
-    const Approx &u = arrangement_.points.approx(a), &v = arrangement_.points.approx(b);
-    const double gap[3] = {v.at.x - u.at.x, v.at.y - u.at.y, v.at.z - u.at.z};
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::abs(gap[axis]) > 2 * (u.radius + v.radius) + space_.span() * 0x1p-50) return gap[axis] > 0 ? 1 : -1;
-      const int s = space_.exact_order(arrangement_.points.source(a), arrangement_.points.source(b), axis);
-      if (s != 0) return s;
-    }
-    return 0;
-  }
-
-  /// Sorts by x, y, z: by the doubles of x first, then intervals in which these do not decide.
-  void sort_points(std::vector<PointId>& points) const {
-    struct Key {
-      double x;
-      PointId point;
-      auto operator<=>(const Key&) const = default;
-    };
-    std::vector<Key> keys;
-    keys.reserve(points.size());
-    double radius = 0;
-    for (const PointId p : points) {
-      const Approx& at = arrangement_.points.approx(p);
-      keys.push_back({at.at.x, p}), radius = std::max(radius, at.radius);
-    }
-    watch_.sort(keys, std::less<>());
-    for (std::size_t k = 0; k < keys.size(); ++k) points[k] = keys[k].point;
-    const double near = 4 * radius + space_.span() * 0x1p-50;
-    for (std::size_t first = 0, last = 0; first < keys.size(); first = last) {
-      for (last = first + 1; last < keys.size() && keys[last].x - keys[last - 1].x <= near;) ++last;
-      std::sort(points.begin() + static_cast<std::ptrdiff_t>(first), points.begin() + static_cast<std::ptrdiff_t>(last),
-                [&](PointId a, PointId b) { return order(a, b) > 0; });
-    }
-  }
-
   void name_vertices(const std::vector<CellPolygon>& faces, const std::vector<CellPolygon>& tight,
                      const std::vector<TightLine>& lines) {
     std::vector<PointId>& used = point_of_;
@@ -310,26 +276,16 @@ class Assembler {
         for (const std::vector<PointId>& loop : polygon.loops) std::for_each(loop.begin(), loop.end(), use);
     for (const TightLine& line : lines) use(line.from), use(line.to);
     std::for_each(boundary_.tight.points.begin(), boundary_.tight.points.end(), use);
-    sort_points(used);
+    VertexOrder(space_, arrangement_.points).sort(used, watch_.threads());
     name_.assign(arrangement_.points.size(), kNoId);
     auto source = std::make_shared<SpatialPositions>();
     source->space = boundary_.space;
-    double world[3], offset[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      const SumSpace::Line line = space_.line(axis);
-      world[axis] = std::ldexp(1.0, line.unit), offset[axis] = line.p_offset + line.q_offset;
-    }
+    const VertexPositions positions(space_);
     for (std::uint32_t k = 0; k < used.size(); ++k) {
       name_[used[k]] = k;
-      const Approx& at = arrangement_.points.approx(used[k]);
       source->vertices.push_back(arrangement_.points.source(used[k]));
       sum_.vertex_contacts.push_back(pairs_.of_point(used[k]));
-      sum_.vertices.push_back(
-          {at.at.x * world[0] + offset[0], at.at.y * world[1] + offset[1], at.at.z * world[2] + offset[2]});
-      for (int axis = 0; axis < 3; ++axis) {
-        const double size = (space_.span() + at.radius) * world[axis] + std::abs(offset[axis]);
-        sum_.at_error = std::max(sum_.at_error, at.radius * world[axis] + size * 0x1p-51);
-      }
+      positions.add(arrangement_.points.approx(used[k]), sum_);
     }
     SpatialSumInternals::set_positions(sum_, std::move(source));
   }
@@ -364,14 +320,27 @@ class Assembler {
     return length(n);
   }
 
-  /// The position at which the contacts of a face are requested: at its first vertex, beside its first edge.
+  /// The position at which the contacts of a face are requested: at its first vertex, beside its first edge; or the
+  /// same of another edge of the outer loop.
   FeaturePairs::Position position_of(const std::vector<std::vector<std::uint32_t>>& loops, const PlaneGroup& group,
-                                     int side) const {
-    return {group, point_of_[loops[0][0]], point_of_[loops[0][1]], side};
+                                     int side, std::size_t edge = 0) const {
+    const std::vector<std::uint32_t>& outer = loops[0];
+    return {group, point_of_[outer[edge]], point_of_[outer[(edge + 1) % outer.size()]], side};
+  }
+  /// What contact_at(position) tells beside every edge of the outer loop; once where that is one for all.
+  template <class F>
+  auto beside_edges(const std::vector<std::vector<std::uint32_t>>& loops, const PlaneGroup& group, int side,
+                    F contact_at) const {
+    std::vector<decltype(contact_at(position_of(loops, group, side)))> all;
+    const std::size_t edges = group.facets.size() == 1 ? 1 : loops[0].size();
+    for (std::size_t k = 0; k < edges; ++k) all.push_back(contact_at(position_of(loops, group, side, k)));
+    if (std::equal(all.begin() + 1, all.end(), all.begin())) all.resize(1);
+    return all;
   }
 
   void add_faces(const std::vector<CellPolygon>& polygons) {
     std::vector<SpatialFace> faces(polygons.size());
+    std::vector<std::vector<SolidContact>> beside(corners_ ? polygons.size() : 0);
     std::vector<std::uint32_t> order(faces.size()), shell(arrangement_.cell_count, kNoId);
     watch_.run_intervals(faces.size(), kPart, [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
@@ -381,6 +350,9 @@ class Assembler {
         faces[k].loops = named(polygon);
         const SolidContact contact = pairs_.of_face(position_of(faces[k].loops, group, side), side);
         faces[k].p = contact.p, faces[k].q = contact.q;
+        if (corners_)
+          beside[k] = beside_edges(faces[k].loops, group, side,
+                                   [&](const FeaturePairs::Position& at) { return pairs_.of_face(at, side); });
         order[k] = static_cast<std::uint32_t>(k);
       }
     });
@@ -397,6 +369,7 @@ class Assembler {
       if (s == kNoId) s = static_cast<std::uint32_t>(sum_.shells++);
       faces[k].shell = s;
       sum_.faces.push_back(std::move(faces[k]));
+      if (corners_) corners_->faces.push_back(std::move(beside[k]));
     }
   }
 
@@ -411,36 +384,54 @@ class Assembler {
   }
 
   void add_tight_faces(const std::vector<CellPolygon>& polygons) {
-    using Entry = std::pair<std::vector<std::vector<std::uint32_t>>, std::array<SolidContact, 2>>;
+    struct Entry {
+      std::vector<std::vector<std::uint32_t>> loops;
+      std::array<SolidContact, 2> contacts;
+      TightFaceCorners corners;
+    };
     std::vector<Entry> entries;
     for (const CellPolygon& polygon : polygons) {
       const int front = tight_side(polygon.cell);
-      auto loops = named(polygon);
-      const auto position = position_of(loops, arrangement_.groups[arrangement_.group_of(polygon.cell)], front);
-      entries.push_back({std::move(loops), {pairs_.of_face(position, front), pairs_.of_face(position, -front)}});
+      const PlaneGroup& group = arrangement_.groups[arrangement_.group_of(polygon.cell)];
+      const auto both = [&](const FeaturePairs::Position& at) {
+        return std::array{pairs_.of_face(at, front), pairs_.of_face(at, -front)};
+      };
+      Entry& entry = entries.emplace_back();
+      entry.loops = named(polygon);
+      entry.contacts = both(position_of(entry.loops, group, front));
+      if (corners_) entry.corners = {beside_edges(entry.loops, group, front, both), group.plane, front};
     }
-    std::sort(entries.begin(), entries.end());
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return std::tie(a.loops, a.contacts) < std::tie(b.loops, b.contacts);
+    });
     for (Entry& entry : entries) {
-      sum_.tight_faces.push_back(std::move(entry.first));
-      sum_.tight_face_contacts.push_back(entry.second);
+      sum_.tight_faces.push_back(std::move(entry.loops));
+      sum_.tight_face_contacts.push_back(entry.contacts);
+      if (corners_) corners_->tight_faces.push_back(std::move(entry.corners));
     }
   }
 
   void add_tight_lines(const std::vector<TightLine>& lines) {
     struct Entry {
       std::array<std::uint32_t, 2> ends;
-      std::vector<SolidContact> contacts;
+      std::array<std::vector<SolidContact>, 2> contacts;
+    };
+    const auto contacts_of = [&](std::uint32_t piece) {
+      const auto [a, b] = boundary_.tight.segments[piece];
+      return pairs_.of_facets_along(a, b);
     };
     std::vector<Entry> entries;
     for (const TightLine& line : lines) {
       const std::uint32_t from = name_[line.from], to = name_[line.to];
-      const auto piece = boundary_.tight.segments[from < to ? line.first : line.last];
-      entries.push_back({{std::min(from, to), std::max(from, to)}, pairs_.of_facets_along(piece[0], piece[1])});
+      const std::uint32_t first = from < to ? line.first : line.last, last = from < to ? line.last : line.first;
+      Entry& entry = entries.emplace_back(Entry{{std::min(from, to), std::max(from, to)}, {contacts_of(first), {}}});
+      if (corners_) entry.contacts[1] = contacts_of(last);
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.ends < b.ends; });
     for (Entry& entry : entries) {
       sum_.tight_segments.push_back(entry.ends);
-      sum_.tight_segment_contacts.push_back(std::move(entry.contacts));
+      if (corners_) corners_->tight_segments.push_back(entry.contacts);
+      sum_.tight_segment_contacts.push_back(std::move(entry.contacts[0]));
     }
   }
 
@@ -458,6 +449,7 @@ class Assembler {
   const FeaturePairs pairs_;
   SpatialSum& sum_;
   StageWatch& watch_;
+  CornerContacts* corners_;          // null where nobody asks
   std::vector<PointId> point_of_;    // per vertex
   std::vector<std::uint32_t> name_;  // per point of the arrangement
 };
@@ -465,8 +457,8 @@ class Assembler {
 }  // namespace
 
 void assemble(const SolidBoundary& boundary, const SolidOperand& p, const SolidOperand& q, SpatialSum& sum,
-              StageWatch& watch) {
-  Assembler(boundary, p, q, sum, watch).run();
+              StageWatch& watch, CornerContacts* corners) {
+  Assembler(boundary, p, q, sum, watch, corners).run();
 }
 
 }  // namespace dymsum::spatial

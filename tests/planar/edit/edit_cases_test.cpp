@@ -109,8 +109,8 @@ TEST(EditCases, refused_edits_give_the_evidence_of_create_and_change_nothing) {
   for (int k = 0; k < 300; ++k) {
     const Edit edit = Edit::move(kP, static_cast<std::uint32_t>(random.below(static_cast<int>(p.vertex_count()))),
                                  {random.signed_unit(), random.signed_unit()});
-    planar::EditedData edited{p.data(), planar::VertexOrigins(p.vertex_count())};
-    std::iota(edited.origins.begin(), edited.origins.end(), 0u);
+    planar::EditedData edited{p.data(), {planar::VertexOrigins(p.vertex_count()), {}}};
+    std::iota(edited.changes.origins.begin(), edited.changes.origins.end(), 0u);
     ASSERT_TRUE(planar::apply(edit, edited).ok());
     const Result<Region> whole = Region::create(edited.data);
     const Result<FrameChanges> made = sum.edit(edit);

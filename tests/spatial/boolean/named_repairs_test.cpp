@@ -158,10 +158,21 @@ TEST(NamedRepairs, faces_given_twice_are_dropped_where_the_others_are_closed_wit
   EXPECT_EQ(dropped.log.duplicate_faces, 1u);
   EXPECT_EQ(dropped.log.to_string(), "1 face given twice dropped");
   EXPECT_EQ(dropped.mesh, Mesh::create(cube(0, 1)).value());
-  MeshData twice = cube(0, 1);
-  twice.faces.insert(twice.faces.end(), twice.faces.begin(), twice.faces.end());
+  const MeshData once = cube(0, 1);
+  MeshData twice = once;
+  twice.faces.insert(twice.faces.end(), once.faces.begin(), once.faces.end());
   const LoggedMesh united = repair_with_union(twice, Fill::nonzero, MeshRepairOptions{}).value();
   EXPECT_EQ(united.log.duplicate_faces, 0u);
+  // A face on a line closes the second copy, between a vertex on an edge and the neighbour that goes past it.
+  const Face first = twice.faces.back();
+  const auto middle = static_cast<std::uint32_t>(twice.vertices.size());
+  const Point3 a = twice.vertices[first[0]], b = twice.vertices[first[1]];
+  twice.vertices.push_back({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2});
+  twice.faces.back().insert(twice.faces.back().begin() + 1, middle);
+  twice.faces.push_back({first[1], middle, first[0]});
+  const LoggedMesh closed = repair_with_union(twice, Fill::nonzero, MeshRepairOptions{}).value();
+  EXPECT_EQ(closed.log.duplicate_faces, 0u);
+  EXPECT_EQ(volume(closed.mesh), 1);
 }
 
 TEST(NamedRepairs, a_hole_of_any_size_is_filled_where_its_length_is_given) {

@@ -66,7 +66,7 @@ int expect_right(const MeshData& surface, Fill fill, int positions, std::mt19937
   int found = 0;
   for (int k = 0; k < positions; ++k) {
     const RationalVector at = some_position(surface, random);
-    const bool in = inside(oracles::winding_at(before, at), fill);
+    const bool in = inside(oracles::winding_at(before, at).value(), fill);
     EXPECT_EQ(oracles::winding_at(after, at), in ? 1 : 0) << name;
     found += in;
   }

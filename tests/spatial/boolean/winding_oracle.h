@@ -1,7 +1,7 @@
 // Winding numbers by rational arithmetic: triangles that a ray in a general direction crosses, one after the other.
 #pragma once
 
-#include <stdexcept>
+#include <optional>
 
 #include "dymsum/mesh.h"
 #include "dymsum/spatial_sum.h"
@@ -44,9 +44,9 @@ inline ExactSurface exact_surface(const SpatialSum& sum) {
   return surface;
 }
 
-/// How often the surface goes around a position. Throws where the position or the ray from it meets an edge or a plane
-/// of a triangle in a special way.
-inline int winding_at(const ExactSurface& surface, const RationalVector& at) {
+/// How often the surface goes around a position. Nothing where the position is on a triangle, or the ray from it passes
+/// an edge.
+inline std::optional<int> winding_at(const ExactSurface& surface, const RationalVector& at) {
   const RationalVector ray{Rational::of(1009, 1013).value(), Rational::of(10007, 19997).value(),
                            Rational::of(7919, 20011).value()};
   int winding = 0;
@@ -59,11 +59,11 @@ inline int winding_at(const ExactSurface& surface, const RationalVector& at) {
       // A triangle on a line, or seen from its edge, is not crossed; nothing else may be special.
       const auto [p, q] = std::pair{b - a, c - a};
       if (determinant(p, q, ray).sign() != 0 && s[0] * s[1] >= 0 && s[1] * s[2] >= 0 && s[2] * s[0] >= 0)
-        throw std::logic_error("a ray through an edge");
+        return std::nullopt;
       continue;
     }
     if (!around) continue;
-    if (height == 0) throw std::logic_error("a position on a triangle");
+    if (height == 0) return std::nullopt;
     // det(a, b, c) = 6 times the volume seen from the position: positive where the triangle's front looks away.
     if (height * s[0] > 0) winding += s[0];
   }

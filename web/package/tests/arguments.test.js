@@ -186,7 +186,8 @@ test('the options that are looked at are those of index.d.ts', () => {
     return `${given}: ${[...names].sort()}`;
   });
   const own = ['load', 'run'];
-  assert.deepEqual(written.filter((line) => !own.includes(line.split(':')[0])).sort(), looked.sort());
+  const once = (lines) => [...new Set(lines)].sort(); // a call may take several kinds of operands
+  assert.deepEqual(once(written.filter((line) => !own.includes(line.split(':')[0]))), once(looked));
 });
 
 test('the package has a guide and its licence', () => {
