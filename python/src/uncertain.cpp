@@ -197,7 +197,7 @@ void bind_operations(nb::module_& m) {
                         R"doc(The positions at which every variant fits (inner), and those at which some may (outer).
 
 >>> from dymsum import Tolerance, Uncertain, erode, shapes
->>> slot = Uncertain.of_band(shapes.rectangle(0, 0, 20, 40), Tolerance(0.25, 0))
+>>> slot = Uncertain.of_band(shapes.rectangle(0, 0, 20, 40), Tolerance(0.25, 0, sides=4))
 >>> fit = erode(slot, shapes.rectangle(0, 0, 20, 10))
 >>> fit.inner.parts, len(fit.inner.segments), fit.outer.area()
 ([], 1, 15.25)
