@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "edit_report.h"
 #include "line_file.h"
 #include "pictures/frame_pictures.h"
 #include "planar/tier.h"
@@ -14,12 +15,6 @@
 
 namespace dymsum::cli {
 namespace {
-
-/// A step that was refused.
-struct RefusedStep {
-  std::size_t step = 0;
-  Error error;
-};
 
 /// One round through a script; of the last round the report, the pictures and the recording.
 struct EditSession {
@@ -34,13 +29,6 @@ struct EditSession {
   std::optional<EditRecording> recording;
 };
 
-std::string hash_text(std::uint64_t hash) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text(16, '0');
-  for (std::size_t k = text.size(); k-- > 0; hash >>= 4) text[k] = kDigits[hash & 15];
-  return text;
-}
-
 Json rings_json(const EditableSum& sum, const FrameChanges& changes) {
   Json json = {{"kept", 0}, {"moved", 0}, {"reshaped", 0}, {"appeared", 0}, {"disappeared", 0}};
   std::size_t listed = 0;
@@ -52,15 +40,13 @@ Json rings_json(const EditableSum& sum, const FrameChanges& changes) {
   return json;
 }
 
-Json step_head(std::size_t step, const ScriptStep& made) {
-  Json json = {{"step", step}, {"line", made.line}, {"action", name(made.action)}};
-  if (made.action == ScriptAction::edit) json["edits"] = made.edits.size();
-  return json;
+Json head_of(std::size_t step, const ScriptStep& made) {
+  return step_head(step, made.line, made.action, made.edits.size());
 }
 
 Json step_json(std::size_t step, const ScriptStep& made, const EditableSum& sum, const FrameChanges& changes,
                bool exact) {
-  Json json = step_head(step, made);
+  Json json = head_of(step, made);
   json.update(size_json(sum.sum(), exact));
   json.update({{"rings", rings_json(sum, changes)},
                {"topology", changes.topology},
@@ -87,15 +73,12 @@ std::string spoiled_operand(const EditableSum& sum, const ScriptStep& step) {
 
 /// "p move 3 1 2; q remove 4", cut where it is long.
 std::string shown_edits(const ScriptStep& step) {
-  constexpr std::size_t kLongest = 100;
-  std::string text;
+  std::vector<std::string> lines;
   for (const Edit& edit : step.edits) {
     const ScriptStep alone{ScriptAction::edit, {edit}, 0};
-    const std::string line = format_script(std::span(&alone, 1));
-    text += (text.empty() ? "" : "; ") + line.substr(0, line.size() - 1);
-    if (text.size() > kLongest) return text.substr(0, kLongest) + "...";
+    lines.push_back(format_script(std::span(&alone, 1)));
   }
-  return text;
+  return on_one_line(lines);
 }
 
 /// The error with the line of the step, the operand it is about and the edits themselves.
@@ -150,7 +133,7 @@ class SessionMaker {
       const Error error = in_script(changes.error(), edit_, sum, step);
       if (!edit_.keep_going) stop_with(error);
       session.refused.push_back({k + 1, error});
-      if (last) session.steps.push_back(step_head(k + 1, step)), session.steps.back()["refused"] = error_json(error);
+      if (last) session.steps.push_back(head_of(k + 1, step)), session.steps.back()["refused"] = error_json(error);
       return;
     }
     session.ms.push_back(sum.work().ms);
@@ -180,12 +163,8 @@ void check(const PlanarEdit& edit) {
     throw Stop(kUsage, "--film writes .svg (a film strip) or anim.svg (an animation): " + edit.film);
 }
 
-Timing timing_of_steps(const EditSession& session) {
-  return session.ms.empty() ? Timing{session.static_ms, session.static_ms, 1} : timing_of(session.ms);
-}
-
 void print_session(std::ostream& out, const PlanarEdit& edit, const EditSession& session, std::size_t steps) {
-  const Timing timing = timing_of_steps(session);
+  const Timing timing = timing_of_steps(session.ms, session.static_ms);
   const PlanarSum& sum = session.sum->sum();
   out << "edit of " << edit.operands[0] << " and " << edit.operands[1] << ", " << counted(steps, "step");
   if (!session.refused.empty()) out << ", " << session.refused.size() << " of them refused";
@@ -199,7 +178,7 @@ void print_session(std::ostream& out, const PlanarEdit& edit, const EditSession&
 }
 
 Json session_json(const PlanarEdit& edit, const std::vector<Input>& inputs, EditSession& session) {
-  Timing timing = timing_of_steps(session);
+  Timing timing = timing_of_steps(session.ms, session.static_ms);
   const double update_ms = timing.median_ms;
   timing.repeats = edit.report.repeat;
   Json json = report_head("edit", inputs_json(inputs), session.tier, timing, {{"steps", update_ms}});
@@ -240,33 +219,16 @@ ExitCode run_planar_edit(const PlanarEdit& edit) {
   return session.refused.empty() ? kDone : kNo;
 }
 
-ExitCode run_replay(const std::string& file, const ReportOptions& report) {
-  const EditRecording recording = require(parse_recording(file_text(file), shown_file(file)));
+ExitCode run_replay(const std::string& file, const std::string& text, const ReportOptions& report) {
+  const EditRecording recording = require(parse_recording(text, shown_file(file)));
   const InterruptGuard guard;
   auto bar = std::make_unique<ProgressBar>();
   const auto [made, timing] = timed(report.repeat, [&] { return require(replay(recording, bar->callback())); });
   bar.reset();
-  if (report.json) {
-    const std::vector<Input> inputs{{file, recording.p}, {file, recording.q}};
-    Json json = report_head("edit", inputs_json(inputs), tier_of(recording.p, recording.q), timing);
-    json.update({{"replayed", recording.steps.size()},
-                 {"differs", made.differs ? Json(*made.differs) : Json(nullptr)},
-                 {"refused", made.refused ? error_json(*made.refused) : Json(nullptr)}});
-    print_report(json);
-  } else if (!made.differs) {
-    std::cout << file << ": " << counted(recording.steps.size(), "step")
-              << " made again, every sum as it was recorded\n";
-    print_times(std::cout, timing);
-  } else {
-    std::cout << file << ": ";
-    if (*made.differs == 0) std::cout << "the sum before the first step is another one than was recorded\n";
-    else
-      std::cout << "step " << *made.differs << " of " << recording.steps.size()
-                << " differs from what was recorded:\n  "
-                << format_script(std::span(&recording.steps[*made.differs - 1], 1));
-    if (made.refused) std::cout << "  refused: " << made.refused->to_string() << "\n";
-  }
-  return made.differs ? kNo : kDone;
+  const std::vector<Input> inputs{{file, recording.p}, {file, recording.q}};
+  return report_replay(file, made, recording.steps.size(), timing,
+                       report_head("edit", inputs_json(inputs), tier_of(recording.p, recording.q), timing), report.json,
+                       [&](std::size_t step) { return format_script(std::span(&recording.steps[step - 1], 1)); });
 }
 
 }  // namespace dymsum::cli

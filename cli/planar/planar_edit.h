@@ -27,7 +27,7 @@ struct PlanarEdit {
 /// written; kNo where that is passed over.
 ExitCode run_planar_edit(const PlanarEdit& edit);
 
-/// Makes a recorded session again; kNo where a step differs.
-ExitCode run_replay(const std::string& file, const ReportOptions& report);
+/// Makes the recorded session of a file again, whose text this is; kNo where a step differs.
+ExitCode run_replay(const std::string& file, const std::string& text, const ReportOptions& report);
 
 }  // namespace dymsum::cli

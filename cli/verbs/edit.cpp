@@ -2,9 +2,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "line_file.h"
 #include "memory_limit.h"
 #include "planar/planar_edit.h"
-#include "solid/solid_limits.h"
+#include "solid/solid_edit.h"
 #include "solid/solid_operands.h"
 #include "verbs/commands.h"
 
@@ -18,6 +19,19 @@ struct EditCommand {
   PlanarEdit planar;
 };
 
+ExitCode run_solids(const EditCommand& command) {
+  refuse_options(*command.parser, {"--film", "--mode"}, "is for planar operands");
+  const PlanarEdit& given = command.planar;
+  SolidEditing edit;
+  edit.operands = given.operands, edit.script = given.script, edit.files = given.output.files;
+  if (command.parser->count("--to") > 0) edit.to = given.output.to;
+  edit.options.semantics = named<Semantics>(command.semantics);
+  edit.options.reflect_q = given.options.reflect_q;
+  edit.record = given.record, edit.keep_going = given.keep_going;
+  edit.report = given.report, edit.input = given.input;
+  return run_solid_edit(edit);
+}
+
 ExitCode run(EditCommand command) {
   limit_memory(command.memory_mb);
   PlanarEdit& edit = command.planar;
@@ -28,14 +42,16 @@ ExitCode run(EditCommand command) {
                                      "--fill",      "--snap",   "--nested",  "--curve-error", "--curve-bound",
                                      "--join",      "--drop-z", "--hull",    "--planes",      "--from"},
                    "does not go with --replay");
-    return run_replay(command.replay, edit.report);
+    const std::string text = file_text(command.replay);
+    return records_solids(text) ? run_solid_replay(command.replay, text, edit.report)
+                                : run_replay(command.replay, text, edit.report);
   }
   if (edit.script.empty()) throw Stop(kUsage, "edit wants P, Q and SCRIPT, or --replay FILE");
   edit.operands = {command.p, command.q};
-  if (are_solid(edit.operands, edit.input)) throw Stop(kUsage, "edit is for planar regions");
   if (edit.script == "-" && (command.p == "-" || command.q == "-"))
     throw Stop(kUsage, "standard input cannot be read twice");
   if (!writes_to_stdout(edit.output.files)) refuse_options(*command.parser, {"--to"}, "is the format of -o -");
+  if (are_solid(edit.operands, edit.input)) return run_solids(command);
   edit.options.semantics = named<Semantics>(command.semantics);
   edit.options.mode = named<FrameMode>(command.mode);
   return run_planar_edit(edit);
@@ -48,12 +64,15 @@ void add_options(CLI::App& verb, EditCommand& command) {
   verb.add_option("SCRIPT", edit.script, "A file with an edit a line, or - for standard input")->type_name("");
   verb.add_option("-o", edit.output.files,
                   "Write the sum after the last step; repeatable; by extension .poly .wkt .geojson .dxf .gpkg "
-                  "(rounded), .json (exact, with provenance), .svg (picture); - is standard output")
+                  "(rounded), .json (exact, with provenance), .svg (picture), of solids .off .obj .stl .ply .3mf "
+                  "(rounded), .json, .glb; - is standard output")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  one_of(verb.add_option("--to", edit.output.to, "Format of -o -"), file_formats(OperandKind::planar))
+  one_of(verb.add_option("--to", edit.output.to, "Format of -o -; of solids off if not given"),
+         file_formats(OperandKind::either))
       ->capture_default_str();
-  verb.add_option("--film", edit.film, "Write the sum after every step: .svg (a film strip) or anim.svg (an animation)")
+  verb.add_option("--film", edit.film,
+                  "Planar: write the sum after every step: .svg (a film strip) or anim.svg (an animation)")
       ->type_name("FILE");
   verb.add_option("--record", edit.record,
                   "Write all that it takes to make the session again: operands, options, steps, and a hash of the sum "
@@ -69,13 +88,14 @@ void add_options(CLI::App& verb, EditCommand& command) {
   verb.add_flag("--reflect", edit.options.reflect_q, "P (+) -Q: Q is a robot and P an obstacle");
   one_of<Semantics>(verb.add_option("--semantics", command.semantics, "closed, open or regular"))
       ->capture_default_str();
-  one_of<FrameMode>(verb.add_option("--mode", command.mode,
-                                    "How steps are made: window updates wherever there can be an update; all give the "
-                                    "same sums"))
+  one_of<FrameMode>(
+      verb.add_option("--mode", command.mode,
+                      "Planar: how steps are made: window updates wherever there can be an update; all give the "
+                      "same sums"))
       ->capture_default_str();
   add_memory_limit(verb, command.memory_mb);
   add_report_options(verb, edit.report, "Make all steps N times and report the median and minimum step");
-  add_exact_option(verb, edit.report, OperandKind::planar);
+  add_exact_option(verb, edit.report, OperandKind::either);
   add_solid_input_options(verb, edit.input);
 }
 
@@ -91,6 +111,10 @@ void add_edit(CLI::App& app, Action& action) {
       "  p move V X Y               q insert V X Y (after V)    p remove V\n"
       "  p extrude V W DX DY        p invert V                  q add-hole PART X Y X Y X Y ...\n"
       "  p remove-hole PART HOLE    p add-part X Y ... hole X Y ...   p remove-part PART\n"
+      "Of solids, W the other end of an edge:\n"
+      "  p move V X Y Z             p extrude F F ... by DX DY DZ   q invert V W\n"
+      "  p insert-in-face F X Y Z   p insert-in-edge V W X Y Z      p remove V\n"
+      "  q add-shell X Y Z X Y Z ... face 0 1 2 face ...            p remove-shell F\n"
       "  { and } on lines of their own make one step of the edits between them; undo; redo\n"
       "Examples: dymsum edit plate.wkt star.wkt moves.txt -o sum.wkt --film moves.svg --record session.json\n"
       "          echo 'p move 3 1/2 2' | dymsum edit plate.wkt star.wkt - --json\n"

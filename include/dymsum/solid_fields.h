@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dymsum/convex_sum.h"
+#include "dymsum/editable_solid_sum.h"
 #include "dymsum/field.h"
 #include "dymsum/mesh.h"
 #include "dymsum/moving_solid_sum.h"
@@ -48,6 +49,16 @@ inline constexpr std::tuple kFields<SolidFrameWork>{
     Field<&SolidFrameWork::contacts>{"of the other facets"},
     Field<&SolidFrameWork::exact_signs>{},
     Field<&SolidFrameWork::ms>{}};
+
+template <>
+inline constexpr std::tuple kFields<SolidEditWork>{
+    Field<&SolidEditWork::kept>{"the sum of an earlier step was still there"},
+    Field<&SolidEditWork::vertices_edited>{"that are new or have other positions"},
+    Field<&SolidEditWork::faces_edited>{"that are new or have other vertices"},
+    Field<&SolidEditWork::facets>{"of the reduced convolution"},
+    Field<&SolidEditWork::contacts>{},
+    Field<&SolidEditWork::exact_signs>{},
+    Field<&SolidEditWork::ms>{"wall time"}};
 
 template <>
 inline constexpr std::tuple kFields<SolidFrameChanges>{

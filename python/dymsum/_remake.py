@@ -15,6 +15,7 @@ from ._core import (
     LocalPart,
     LocalSum,
     Mesh,
+    EditableSolidSum,
     EditableSum,
     EditOptions,
     MovingOptions,
@@ -35,6 +36,7 @@ from ._core import (
     ScalingFamily,
     ScalingSum,
     SolidPose,
+    SolidEditOptions,
     SolidRotationEvents,
     SolidRotationOptions,
     SpatialSum,
@@ -113,6 +115,11 @@ def scaling(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) 
 def scaling_sum(p: Region, q: Region, options: MovingOptions, sx: Scale, sy: Scale) -> PlanarSum:
     """The sum that a scaling sum had."""
     return scaling(p, q, options, sx, sy).sum()
+
+
+def edited_solid_sum(p: Mesh, q: Mesh, options: SolidEditOptions) -> SpatialSum:
+    """The sum that an edited sum of solids had."""
+    return EditableSolidSum(p, q, options).sum()
 
 
 def edited_sum(p: Region, q: Region, options: EditOptions) -> PlanarSum:

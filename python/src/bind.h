@@ -37,6 +37,7 @@ void bind_planar_boolean(nb::module_& m);
 void bind_solid_union(nb::module_& m);
 void bind_named_repairs(nb::module_& m);
 void bind_moving_solids(nb::module_& m);
+void bind_edited_solids(nb::module_& m);
 void bind_scaling_solids(nb::module_& m);
 void bind_turning_solids(nb::module_& m);
 void bind_solid_families(nb::module_& m);

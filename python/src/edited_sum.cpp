@@ -229,6 +229,7 @@ void bind_sum(nb::module_& m) {
 void bind_script(nb::module_& m) {
   enumeration<ScriptAction>(m, "ScriptAction", "What a step of a script does.");
   Record<ScriptStep>(m, "ScriptStep", "A step of a script.")
+      .constructible()
       .field("action", &ScriptStep::action)
       .field("edits", &ScriptStep::edits)
       .field("line", &ScriptStep::line, "on which it begins, from 1; 0 where it was not read");
@@ -242,6 +243,7 @@ void bind_script(nb::module_& m) {
 
 void bind_recording(nb::module_& m) {
   Record<EditRecording>(m, "EditRecording", "All that it takes to make a session again, and its hashes.")
+      .constructible()
       .field("p", &EditRecording::p, "before the first step")
       .field("q", &EditRecording::q)
       .field("semantics", &EditRecording::semantics)
@@ -254,7 +256,9 @@ void bind_recording(nb::module_& m) {
       .field("steps", &EditReplay::steps, "that were made")
       .field("differs", &EditReplay::differs, "the first step after which the sum is another one, or None")
       .field("refused", &EditReplay::refused, "where that step is refused, why");
-  m.def("format_recording", &format_recording, "recording"_a, "The recording as text; nothing is rounded.");
+  m.def(
+      "format_recording", [](const EditRecording& recording) { return format_recording(recording); }, "recording"_a,
+      "The recording as text; nothing is rounded.");
   m.def(
       "parse_recording",
       [](const std::string& text, const std::string& name) { return take(parse_recording(text, name)); }, "text"_a,

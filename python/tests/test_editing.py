@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import dymsum
-from dymsum import Edit, EditableSum, EditOptions, MovingOperand, ScriptAction, minkowski_sum, shapes
+from dymsum import Edit, EditableSum, EditOptions, MovingOperand, ScriptAction, SolidEdit, minkowski_sum, shapes, solids
 
 P = MovingOperand.p
 SCRIPT = """
@@ -75,3 +75,25 @@ def test_a_line_is_named() -> None:
     with pytest.raises(dymsum.Error) as raised:
         dymsum.parse_script("undo\np move 1 1/3 0", "edits.txt")
     assert raised.value.evidence.line == 2 and "1/3 is no double" in str(raised.value)
+
+
+def test_solids_are_edited_recorded_and_pickled(tmp_path: Path) -> None:
+    sum = dymsum.EditableSolidSum(solids.box(0, 0, 0, 1, 1, 1), solids.tessellated_cube(2, 1))
+    sum.record()
+    script = "p extrude 0 by 0 0 -1\n{\nq move 0 -1.5 -1 -1\np insert-in-face 1 0.5 0.5 2\n}\nundo\nredo\n"
+    for step in dymsum.parse_solid_script(script):
+        work = dymsum.make_step(sum, step)
+    assert work.kept and work.vertices_edited == 2
+    assert sum.sum() == minkowski_sum(sum.p(), sum.q()) == pickle.loads(pickle.dumps(sum.sum()))
+    assert len(set(sum.face_names(P))) == len(sum.p().faces) == len(sum.face_ancestors(P))
+    assert sum.vertex_names(P)[:8] == list(range(1, 9))
+    before, names = sum.hash(), sum.vertex_names(P)
+    with pytest.raises(dymsum.Error) as raised:
+        sum.edit(SolidEdit.move(P, 0, (9, 9, 9)))
+    assert raised.value.evidence.face is not None and sum.hash() == before and sum.vertex_names(P) == names
+    file = tmp_path / "session.json"
+    file.write_text(dymsum.format_recording(sum.recording()))
+    replay = dymsum.replay(dymsum.read_solid_recording(file))
+    assert (replay.steps, replay.differs) == (4, None)
+    again = pickle.loads(pickle.dumps(sum))
+    assert again.hash() == before

@@ -28,6 +28,7 @@ TURN, FURTHER = dymsum.AxisTurn.of(Fraction(3, 10)), dymsum.AxisTurn.of(Fraction
 LOCATOR = dymsum.SumLocator(dymsum.minkowski_sum(P, Q))
 FEATURES = dymsum.ShapeFeatures(P)
 RECORDING = dymsum.begin_recording(dymsum.EditableSum(P, Q))
+SOLID_RECORDING = dymsum.begin_recording(dymsum.EditableSolidSum(ANGLE, BOX))
 THETA = dymsum.Orientation.nearest(0.3)
 POSE = dymsum.SolidPose(dymsum.Rotation.of(5, 1, 2, 1))
 POINTS = numpy.random.default_rng(1).uniform(-2, 2, (5000, 2))
@@ -103,7 +104,10 @@ CALLS: list[tuple[str, Callable[[Progress], Any]]] = [
     ("ScalingSum", lambda f: dymsum.ScalingSum.create(P, Q, moving(f))),
     ("EditableSum", lambda f: dymsum.EditableSum(P, Q, dymsum.EditOptions(progress=f))),
     ("EditableSum", lambda f: dymsum.EditableSum.create(P, Q, dymsum.EditOptions(progress=f))),
+    ("EditableSolidSum", lambda f: dymsum.EditableSolidSum(ANGLE, BOX, dymsum.SolidEditOptions(progress=f))),
+    ("EditableSolidSum", lambda f: dymsum.EditableSolidSum.create(ANGLE, BOX, dymsum.SolidEditOptions(progress=f))),
     ("replay", lambda f: dymsum.replay(RECORDING, f)),
+    ("replay", lambda f: dymsum.replay(SOLID_RECORDING, f)),
     ("ScalingSum.events", lambda f: dymsum.ScalingSum(P, Q).events(1, Fraction(9, 8), f)),
     ("ScalingSum.next_event", lambda f: dymsum.ScalingSum(P, Q).next_event(1, 8, dymsum.EventChange.topology, f)),
     ("RotationFamily", lambda f: dymsum.RotationFamily(P, Q, dymsum.FamilyOptions(progress=f))),

@@ -118,6 +118,8 @@ const std::vector<Case> kCases = {
     {"local_sum", "local-sum ell.off cube.off --box 1,1,1,2,2,2 --engine hierarchy"},
     {"edit", "edit slot.wkt peg.wkt edits.txt --keep-going", 4},
     {"edit_replay", "edit --replay session.json"},
+    {"solid_edit", "edit cube.off ell.off solid_edits.txt --keep-going", 4},
+    {"solid_edit_replay", "edit --replay solid_session.json"},
     {"info", "info two.wkt"},
     {"info", "info bow.wkt", 2},
     {"solid_info", "info cube.off"},
@@ -175,6 +177,8 @@ class JsonReports : public CliTest {
     work.write("open.off", kOpen);
     work.write("cut.off", "OFF\n8 6 12\n0 0 0\n");
     work.write("edits.txt", "q move 0 0.125 0\n{\np remove 0\np move 0 -9 4\n}\nundo\nundo\nundo\n");
+    work.write("solid_edits.txt", "p extrude 0 by 0 0 -0.5\np move 0 9 9 9\nundo\nredo\n");
+    work.run("dymsum edit cube.off ell.off solid_edits.txt --keep-going --record solid_session.json");
     work.run("dymsum sum square.wkt peg.wkt -o sum.json");
     work.run("dymsum edit square.wkt peg.wkt edits.txt --keep-going --record session.json");
     work.run("dymsum sum ell.off cube.off -o solid_sum.json");

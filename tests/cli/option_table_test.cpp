@@ -92,6 +92,7 @@ class OptionTable : public testing::TestWithParam<Section> {
              {"moves.txt", "0.25,0,0\n9,9,9\n"},
              {"heights.txt", "1/3,9,9\n"},
              {"edits.txt", "q move 0 0.125 0\nundo\n"},
+             {"solid_edits.txt", "p extrude 0 by 0 0 -0.125\nundo\n"},
              {"session.json", session()},
              {"slot.obstacle", obstacle()},
              {"slot.family", family()},

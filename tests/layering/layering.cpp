@@ -50,6 +50,7 @@ const std::vector<std::string> kRooms = {
     "spatial/boolean",
     "spatial/motion",
     "spatial/moving",
+    "spatial/edit",
     "spatial/events",
     "spatial/family",
     "spatial/local",

@@ -5,6 +5,7 @@
 #include "dymsum/convex_sum.h"
 #include "dymsum/decomposition.h"
 #include "dymsum/edit_script.h"
+#include "dymsum/editable_solid_sum.h"
 #include "dymsum/editable_sum.h"
 #include "dymsum/family.h"
 #include "dymsum/fill.h"
@@ -87,6 +88,7 @@ std::vector<Enumerators> enumerations() {
           of<ScaleContact::Kind>("Kind"),
           of<ScriptAction>("ScriptAction"),
           of<Semantics>("Semantics"),
+          of<SolidEditKind>("SolidEditKind"),
           of<SolidFeature::Kind>("Kind"),
           of<SpatialEngine>("SpatialEngine"),
           of<SpatialTrace::Facet::Kind>("Kind"),

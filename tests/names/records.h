@@ -18,7 +18,7 @@ inline constexpr std::tuple kRecords{
     // planar_fields.h
     Listing<Evidence>{}, Listing<Point>{"Point"}, Listing<RationalPoint>{"ExactPoint"}, Listing<Contact>{"Contact"},
     Listing<ConvolutionSizes>{"ConvolutionSizes"}, Listing<SumStats::Stage>{}, Listing<SumStats>{"SumStats"},
-    Listing<Rounding>{"Rounding"}, Listing<FrameWork>{"FrameWork"}, Listing<EditWork>{},
+    Listing<Rounding>{"Rounding"}, Listing<FrameWork>{"FrameWork"}, Listing<EditWork>{"EditWork"},
     Listing<RingChange>{"RingChange"}, Listing<FrameChanges>{"FrameChanges"}, Listing<Lifetime>{},
     Listing<FamilyWork>{}, Listing<ScaleContact>{"ScaleContact"}, Listing<ScaleInterval>{"ScaleInterval"},
     Listing<ScaleRange>{"ScaleRange"}, Listing<PlanarFeature>{"PlanarFeature"}, Listing<PlanarTouch>{"PlanarTouch"},
@@ -26,11 +26,12 @@ inline constexpr std::tuple kRecords{
     // solid_fields.h
     Listing<Point3>{"Point3"}, Listing<RationalPoint3>{"ExactPoint3"}, Listing<SolidFeature>{"SolidFeature"},
     Listing<SolidContact>{"SolidContact"}, Listing<SpatialStats::Stage>{}, Listing<SpatialStats>{"SpatialStats"},
-    Listing<SolidFrameWork>{"SolidFrameWork"}, Listing<SolidFrameChanges>{"SolidFrameChanges"},
-    Listing<MotionWork>{"MotionWork"}, Listing<ConvexDepth>{"ConvexDepth"}, Listing<ConvexSum::FacetCount>{},
-    Listing<SolidTouch>{"SolidTouch"}, Listing<SolidWay>{"SolidWay"}, Listing<SolidDistance::Work>{},
-    Listing<SolidDistance>{"SolidDistance"}, Listing<SolidScaleContact>{"SolidScaleContact"},
-    Listing<SolidScaleInterval>{"SolidScaleInterval"}, Listing<SolidScaleRange>{"SolidScaleRange"},
+    Listing<SolidFrameWork>{"SolidFrameWork"}, Listing<SolidEditWork>{},
+    Listing<SolidFrameChanges>{"SolidFrameChanges"}, Listing<MotionWork>{"MotionWork"},
+    Listing<ConvexDepth>{"ConvexDepth"}, Listing<ConvexSum::FacetCount>{}, Listing<SolidTouch>{"SolidTouch"},
+    Listing<SolidWay>{"SolidWay"}, Listing<SolidDistance::Work>{}, Listing<SolidDistance>{"SolidDistance"},
+    Listing<SolidScaleContact>{"SolidScaleContact"}, Listing<SolidScaleInterval>{"SolidScaleInterval"},
+    Listing<SolidScaleRange>{"SolidScaleRange"},
     // obstacle_fields.h
     Listing<Configuration>{"Configuration"}, Listing<ObstacleEvent>{"ObstacleEvent"},
     Listing<TightFeature>{"ObstacleTight"}, Listing<Patch>{"Patch"}, Listing<Shell>{"Shell"},

@@ -51,6 +51,7 @@ export const optionsOf = {
   'ScalingSum.create': [2, moving],
   'RotatingSum.create': [2, moving],
   'ScalingFamily.create': [4, ['moving', 'reflectQ', 'semantics', 'progress']],
+  'EditableSum.create': [2, ['semantics', 'reflectQ', 'mode', 'undoSteps', 'progress']],
   'PlanarLocalSum.create': [2, ['engine', 'progress']],
   'LocalSum.create': [2, ['engine', 'tight', 'progress']],
   'MovingSolidSum.create': [2, ['semantics', 'tight', 'mode', 'progress']],

@@ -413,6 +413,56 @@ export interface ScalingFamily extends Disposable {
   inner(from: ExactInput, to: ExactInput): PlanarSum;
 }
 
+export interface EditOptions {
+  semantics?: Semantics;
+  /** P (+) -Q; edits refer to Q */
+  reflectQ?: boolean;
+  mode?: 'automatic' | 'window' | 'rebuild';
+  /** that are kept */
+  undoSteps?: number;
+  progress?: Progress;
+}
+/** The work of one step. */
+export interface EditWork {
+  rebuilt: boolean;
+  degenerate: boolean;
+  segmentsRemoved: number;
+  segmentsAdded: number;
+  cellsChanged: number;
+  cellsUncovered: number;
+  pairsTested: number;
+  eventsChanged: number;
+  loopsTraced: number;
+  loopsKept: number;
+  collisionTests: number;
+  exactSigns: number;
+  ms: number;
+}
+/** P (+) Q, which follows edits of P and of Q, exactly. */
+export interface EditableSum extends Disposable {
+  /**
+   * Makes all edits as one step, a line each: `p move 3 1 2`, `q insert 0 0.5 1`, `p remove 4`, `p extrude 2 5 0 1`, `p invert 3`,
+   * `p add-hole 0 1 1 1 2 2 2`, ... (docs/guide/editing.md). Nothing changes where it throws.
+   */
+  edit(lines: string): FrameChanges;
+  undo(): FrameChanges;
+  redo(): FrameChanges;
+  undoCount(): number;
+  redoCount(): number;
+  /** an operand as it is */
+  region(operand: 'p' | 'q'): Region;
+  /** by index; they last while vertices move, come and go */
+  vertexNames(operand: 'p' | 'q'): Float64Array;
+  ringIds(): Float64Array;
+  /** The geometry of the sum now. */
+  shape(): SumShape;
+  /** The sum now, as an object that later steps leave as it is. */
+  sum(): PlanarSum;
+  work(): EditWork;
+  /** sixteen hexadecimal digits, equal for equal sums */
+  hash(): string;
+}
+
 // -------------------------------------------------------------------------------------------- scales that fit, depth
 
 export interface ScaleContact {
@@ -1044,6 +1094,7 @@ export interface Live {
   readonly ScalingFamily: {
     create(p: Region, q: Region, low: ExactInput, high: ExactInput, options?: { moving?: 'p' | 'q'; reflectQ?: boolean; semantics?: Semantics; progress?: Progress }): ScalingFamily;
   };
+  readonly EditableSum: { create(p: Region, q: Region, options?: EditOptions): EditableSum };
   readonly PlanarDepth: { create(p: Region, q: Region): PlanarDepth };
   readonly CspaceObstacle: {
     create(robot: Region, obstacle: Region, options?: { progress?: Progress }): CspaceObstacle;

@@ -3,7 +3,7 @@ import { throwing, throwingGetter, whenIdle } from './calls.js';
 import { refusal } from './errors.js';
 
 const classes = [
-  'Region', 'PlanarSum', 'ScalingSum', 'RotatingSum', 'ScalingFamily', 'PlanarDepth', 'CspaceObstacle', 'ObstacleQueries', 'Mesh', 'SpatialSum',
+  'Region', 'PlanarSum', 'ScalingSum', 'RotatingSum', 'ScalingFamily', 'EditableSum', 'PlanarDepth', 'CspaceObstacle', 'ObstacleQueries', 'Mesh', 'SpatialSum',
   'SolidSlice', 'SolidScaleEvents', 'SolidRotationEvents', 'MovingSolidSum', 'ConvexSum', 'SolidDepth', 'TurnedDepth', 'DiscSet', 'GrowingDisc',
   'ShapeFeatures', 'SumLocator', 'LocalSum', 'PlanarLocalSum', 'PlanarLocalPart',
 ];

@@ -271,6 +271,36 @@ test('a scaling sum equals the sum of the scaled operand in every frame, and has
   assert.equal(typeof moving.work().pieces, 'number');
 });
 
+test('an edited sum follows edits, undoes them and refuses what would be no region', () => {
+  const p = shapes.star(6, 1, 2), q = slot(), edited = dymsum.EditableSum.create(p, q, { reflectQ: true });
+  const same = () => assert.ok(edited.sum().equals(dymsum.nfp(edited.region('p'), edited.region('q'))));
+  const hash = edited.hash(), names = Array.from(edited.vertexNames('p'));
+  assert.match(hash, /^[0-9a-f]{16}$/);
+  assert.ok(Array.isArray(edited.edit('p move 0 2.5 0.25').rings));
+  same();
+  const work = edited.work();
+  assert.equal(typeof work.pairsTested, 'number');
+  edited.edit('p insert 0 1.75 1\nq move 0 -0.25 0');
+  same();
+  assert.deepEqual(Array.from(edited.vertexNames('p')).filter((name) => names.includes(name)), names);
+  assert.equal(edited.ringIds().length, edited.shape().ringStarts.length - 1);
+  const before = edited.hash();
+  const crossing = thrown(() => edited.edit('p move 0 -9 0'));
+  assert.equal(crossing.code, 'self_crossing');
+  assert.equal(typeof crossing.evidence.vertex, 'number');
+  for (const lines of ['p move 0 1/3 0', 'undo', 'p mov 0 0 0']) assert.equal(thrown(() => edited.edit(lines)).code, 'malformed', lines);
+  assert.equal(thrown(() => edited.edit('p remove 99')).code, 'out_of_range');
+  assert.equal(edited.hash(), before);
+  assert.equal(edited.undoCount(), 2);
+  edited.undo(), edited.undo();
+  assert.equal(edited.hash(), hash);
+  assert.equal(thrown(() => edited.undo()).code, 'out_of_range');
+  edited.redo(), edited.redo();
+  assert.equal(edited.hash(), before);
+  assert.equal(edited.redoCount(), 0);
+  edited.dispose();
+});
+
 test('a family has every sum of its interval, its changes and lifetimes', () => {
   const p = shapes.gear(7, 1.1, 2), q = Region.fromRings([[[0.1, -0.3], [2.7, 0.1], [2.9, Math.fround(0.7)], [1, 0.6]]]), options = { reflectQ: true, semantics: 'open' };
   const family = dymsum.ScalingFamily.create(p, q, 0.5, 2, options), events = family.events(), moving = dymsum.ScalingSum.create(p, q, options);
