@@ -14,6 +14,7 @@
 #include "planar/configuration.h"
 #include "planar/query_file.h"
 #include "planar/tier.h"
+#include "planar/uncertain_operands.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "solid/solid_contains.h"
@@ -26,6 +27,7 @@ struct ContainsCommand {
   const CLI::App* parser = nullptr;
   std::vector<std::string> operands{"", ""}, at;
   std::string at_file, semantics;
+  UncertainOptions uncertain;
   ReportOptions report;
   InputOptions input;
 };
@@ -153,12 +155,61 @@ void print_text(const std::vector<Query>& queries, const std::vector<bool>& insi
   std::cout.precision(precision);
 }
 
+/// The query of one position, in the report of all.
+Json at_json(const Query& q) {
+  Json json = {{"at", {q.x, q.y}}};
+  if (q.exact) json["exact"] = {q.exact->x.to_string(), q.exact->y.to_string()};
+  return json;
+}
+
+ExitCode run_uncertain_contains(const ContainsCommand& command, const std::vector<Query>& queries) {
+  if (queries.front().theta)
+    refuse_options(*command.parser, kUncertainOptions, "is for places x,y, not for configurations x,y,theta");
+  refuse_options(*command.parser, {"--lines"}, "goes without --tolerance, --fuzz and --variants");
+  const Semantics semantics = is_closed(command, false) ? Semantics::closed : Semantics::open;
+  const UncertainOperands operands = read_uncertain(command.operands, command.uncertain, command.input);
+  const InterruptGuard guard;
+  const auto [answers, timing] = timed(command.report.repeat, [&] {
+    std::vector<UncertainAnswer> all;
+    for (const Query& query : queries) {
+      throw_if_interrupted();
+      all.push_back(require_of(operands.inputs, contains(operands.p, operands.q, query.at(), semantics)));
+    }
+    return all;
+  });
+  Json list = Json::array();
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    list.push_back(at_json(queries[i]));
+    list.back().update(holds_json(answers[i]));
+  }
+  if (command.report.json) {
+    Json json = report_head("contains", inputs_json(operands.inputs),
+                            tier_of(operands.inputs[0].region, operands.inputs[1].region), timing);
+    json.update({{"semantics", name(semantics)},
+                 {"uncertain", uncertain_json(command.uncertain, operands)},
+                 {"answers", std::move(list)}});
+    print_report(json);
+  } else {
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const RationalPoint at = queries[i].at();
+      print_exact(std::cout << "(", at.x);
+      print_exact(std::cout << ", ", at.y);
+      std::cout << "): inside " << holds_text(answers[i], operands) << "\n";
+    }
+    print_times(std::cout, timing);
+  }
+  return queries.size() == 1 ? exit_code_of(answers.front()) : kDone;
+}
+
 ExitCode run_contains(const ContainsCommand& command) {
-  if (are_solid(command.operands, command.input))
+  if (are_solid(command.operands, command.input)) {
+    refuse_options(*command.parser, kUncertainOptions, "is for regions");
     return run_solid_contains(
         {command.operands, command.at, command.at_file, command.semantics, command.report, command.input});
+  }
   refuse_options(*command.parser, {"--hull", "--thin"}, "is for solids");
   const std::vector<Query> queries = read_queries(command);
+  if (command.uncertain.given()) return run_uncertain_contains(command, queries);
   const bool robot = queries.front().theta.has_value(), closed = is_closed(command, robot);
   const std::vector<Input> inputs =
       robot ? read_inputs(command.operands, command.input) : read_operands(command.operands, command.input);
@@ -211,6 +262,7 @@ void add_contains(CLI::App& app, Action& action) {
   add_solid_input_options(verb, command->input);
   add_lines_option(verb, command->input);
   add_thin_option(verb, command->input);
+  add_uncertain_options(verb, command->uncertain, "P", "Q");
   verb.footer(
       "Exit code 4 when the answer to a single question is no.\nExample: dymsum contains bar.wkt rooms.wkt --at "
       "1,2,90deg\n"

@@ -1,10 +1,12 @@
 // dymsum depth P Q
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <span>
 #include <sstream>
+#include <utility>
 
 #include "dymsum/convex_sum.h"
 #include "dymsum/penetration_depth.h"
@@ -12,6 +14,7 @@
 #include "line_file.h"
 #include "options.h"
 #include "planar/tier.h"
+#include "planar/uncertain_operands.h"
 #include "progress_bar.h"
 #include "solid/depth_report.h"
 #include "solid/depth_track.h"
@@ -32,6 +35,7 @@ struct DepthCommand {
   double time_limit = 0;
   std::size_t threads = 0;
   TrackOptions track;
+  UncertainOptions uncertain;
   ReportOptions report;
   InputOptions input;
 };
@@ -145,6 +149,7 @@ ExitCode run_rows(const DepthCommand& command, const std::vector<SolidInput>& in
 }
 
 ExitCode run_solids(const DepthCommand& command) {
+  refuse_options(*command.parser, kUncertainOptions, "is for regions");
   if (!command.axis.empty()) return run_turned(command);
   const RationalPoint3 moved = vector_of_option(command.moved, "--move"),
                        along = vector_of_option(command.along, "--along");
@@ -169,11 +174,45 @@ ExitCode run_solids(const DepthCommand& command) {
   return distance.meeting == Meeting::overlapping ? kDone : kNo;
 }
 
+/// The pair that has a distance, in words.
+std::string bound_text(const ClearanceBound& bound) {
+  const PlanarDistance& d = bound.distance;
+  if (d.meeting == Meeting::touching) return "they touch";
+  return (d.meeting == Meeting::overlapping ? "depth " : "gap ") + Json(d.distance).dump();
+}
+
+Json bound_json(const ClearanceBound& bound) {
+  Json json = {{"of", pair_json(bound.of)}};
+  if (std::isinf(bound.distance.distance)) json["meeting"] = name(bound.distance.meeting), json["distance"] = "inf";
+  else json.update(depth_json(bound.distance));
+  return json;
+}
+
+ExitCode run_uncertain_depth(const DepthCommand& command, const RationalPoint& moved) {
+  const UncertainOperands operands = read_uncertain(command.operands, command.uncertain, command.input);
+  const InterruptGuard guard;
+  const auto [found, timing] = timed(command.report.repeat, [&] {
+    return std::pair(require_of(operands.inputs, clearance(operands.p, operands.q, moved)),
+                     require_of(operands.inputs, collides(operands.p, operands.q, moved)));
+  });
+  const auto& [distance, overlap] = found;
+  const std::string least = bound_text(distance.least), most = bound_text(distance.most);
+  print_depth(command, inputs_json(operands.inputs), tier_of(operands.inputs[0].region, operands.inputs[1].region),
+              timing,
+              {{"uncertain", uncertain_json(command.uncertain, operands)},
+               {"overlap", holds_json(overlap)},
+               {"least", bound_json(distance.least)},
+               {"most", bound_json(distance.most)}},
+              "overlap " + holds_text(overlap, operands) + "\n  nearest: " + least + "\n  furthest: " + most + "\n");
+  return exit_code_of(overlap);
+}
+
 ExitCode run_regions(const DepthCommand& command) {
   refuse_options(*command.parser, {"--axis", "--along", "--at-file", "--time", "--threads", "--hull", "--thin"},
                  "is for solids");
   const std::optional<RationalPoint> moved = command.moved.empty() ? RationalPoint{} : exact_position(command.moved);
   if (!moved) throw Stop(kUsage, "--move wants 2 numbers or fractions x,y, not '" + command.moved + "'");
+  if (command.uncertain.given()) return run_uncertain_depth(command, *moved);
   const std::vector<Input> inputs = read_inputs(command.operands, command.input);
   const InterruptGuard guard;
   const Region &p = inputs[0].region, &q = inputs[1].region;
@@ -188,6 +227,7 @@ ExitCode run(const DepthCommand& command) {
   if (command.axis.empty() == command.angle.given()) throw Stop(kUsage, "--axis and --angle or --degrees go together");
   if (!command.track.motion.empty()) {
     require_solid("depth --track", command.operands, command.input);
+    refuse_options(*command.parser, kUncertainOptions, "is for regions");
     return run_track(command.operands, command.track, command.report, command.input);
   }
   if (!command.track.files.empty())
@@ -253,12 +293,14 @@ void add_depth(CLI::App& app, Action& action) {
   add_report_options(verb, command->report, "Compute N times and report the median and minimum time");
   add_solid_input_options(verb, command->input);
   add_thin_option(verb, command->input);
+  add_uncertain_options(verb, command->uncertain, "P", "Q");
   verb.footer(
       "Exit code 4 when their interiors do not meet, 5 when the time was over.\nExample: dymsum depth cup.off "
       "spoon.off --move 0.5,0,0 --json\n         dymsum depth cup.off spoon.off --track motion.csv -o trace.svg");
   verb.callback([command, &action] {
     action = [command]() -> ExitCode {
       if (!command->track.motion.empty()) return run(*command);
+      refuse_pages(command->uncertain, command->track.files);
       return run_with_pages({command->parser, "sum", "solids"}, command->operands, command->input, command->track.files,
                             [command] { return run(*command); });
     };

@@ -17,7 +17,8 @@ void add_erode(CLI::App& app, Action& action) {
       "Positions are those of PART's reference point, the origin of its coordinates. Those without room to move are "
       "the\n"
       "tight features: of solids faces, segments and points.\n"
-      "Example: dymsum erode sheet.wkt part.wkt --json";
+      "Example: dymsum erode sheet.wkt part.wkt --json\n"
+      "Example: dymsum erode slot.wkt peg.wkt --tolerance +0.0105/0,-0.0035/-0.01";
   verb.planar = [](std::span<const PlanarOperand> sets, const SumOptions& options) {
     return erode(sets[0], sets[1], options);
   };
@@ -28,6 +29,9 @@ void add_erode(CLI::App& app, Action& action) {
   verb.reflects_second = true;
   verb.empty_is_no = true;
   verb.names.sum = "P ⊖ Q";
+  verb.uncertain = [](const Uncertain& p, const Uncertain& q, const SumOptions& options) {
+    return erode(p, q, options);
+  };
   verb.page = "sum";
   verb.solid_page = "solids";
   add_sum_verb(app, verb, action);

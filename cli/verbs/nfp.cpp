@@ -26,6 +26,7 @@ void add_nfp(CLI::App& app, Action& action) {
   verb.reflects_second = true;
   verb.is_sum = true;
   verb.names = {"A", "B", "A ⊕ −B"};
+  verb.uncertain = [](const Uncertain& p, const Uncertain& q, const SumOptions& options) { return nfp(p, q, options); };
   verb.page = "nesting";
   verb.solid_page = "solids";
   add_sum_verb(app, verb, action);

@@ -20,6 +20,9 @@ void add_sum(CLI::App& app, Action& action) {
   verb.solid = [](const Mesh& p, const Mesh& q, const SpatialOptions& options) { return minkowski_sum(p, q, options); };
   verb.several = true;
   verb.is_sum = true;
+  verb.uncertain = [](const Uncertain& p, const Uncertain& q, const SumOptions& options) {
+    return minkowski_sum(p, q, options);
+  };
   verb.page = "sum";
   verb.solid_page = "solids";
   add_sum_verb(app, verb, action);

@@ -16,6 +16,7 @@
 #include "solid/solid_limits.h"
 #include "solid/solid_operands.h"
 #include "solid/solid_sum.h"
+#include "verbs/uncertain_sum.h"
 #include "viewer/viewer_pages.h"
 
 namespace dymsum::cli {
@@ -132,6 +133,14 @@ CLI::App& declare_sum_verb(CLI::App& app, const SumVerb& verb, SumCommand& comma
     parser.add_flag("--triangulate", command.triangulate, "Solids: write triangles, for programs that take no others");
     add_thin_option(parser, command.input);
   }
+  if (verb.uncertain) {
+    add_uncertain_options(parser, command.uncertain, verb.first.name, verb.second.name);
+    parser
+        .add_option("--set", command.set,
+                    "With one of these: which set -o writes, but for pictures, which show both: outer or inner")
+        ->check(CLI::IsMember({"outer", "inner"}))
+        ->capture_default_str();
+  }
   parser.footer(verb.footer);
   command.parser = &parser;
   return parser;
@@ -157,13 +166,22 @@ Action with_viewer(const SumVerb& verb, SumCommand& command, const Action& actio
   return [page, &command, action] {
     std::vector<std::string> operands = command.operands;
     operands.insert(operands.end(), command.more.begin(), command.more.end());
+    refuse_pages(command.uncertain, command.output.files);
     return run_with_pages(page, operands, command.input, command.output.files, action);
   };
 }
 
 ExitCode run_sum(const SumVerb& verb, const SumCommand& command) {
-  if (are_solid(command.operands, command.input)) return run_solid_sum(verb, command);
+  if (are_solid(command.operands, command.input)) {
+    if (verb.uncertain) {
+      refuse_options(*command.parser, kUncertainOptions, "is for regions");
+      refuse_options(*command.parser, {"--set"}, "is for regions");
+    }
+    return run_solid_sum(verb, command);
+  }
   refuse_options(*command.parser, {"--triangulate", "--thin", "--round"}, "is for solids");
+  if (command.uncertain.given()) return run_uncertain_sum(verb, command);
+  if (verb.uncertain) refuse_options(*command.parser, {"--set"}, "belongs to --tolerance, --fuzz or --variants");
   std::ostream& out = report_stream(command.output.files, command.report.json);
   check(command);
   for (const std::string& file : command.output.files)

@@ -16,6 +16,7 @@
 #include "inputs.h"
 #include "options.h"
 #include "outputs.h"
+#include "planar/uncertain_operands.h"
 
 namespace CLI {
 class App;
@@ -46,6 +47,8 @@ struct SumVerb {
   std::string page, solid_page;            ///< of the viewer that shows regions, and solids
   std::optional<Orientation> orientation;  ///< of the operand that is turned, for the report
   SumNames names;                          ///< in pictures
+  /// Of regions that are not known exactly; no function: there is none.
+  std::function<Result<Uncertain>(const Uncertain&, const Uncertain&, const SumOptions&)> uncertain = {};
   /// The operands as pictures show them and as the convolution is counted; empty: as they are read.
   std::function<std::array<Region, 2>(const Region&, const Region&)> shown;
 };
@@ -58,6 +61,8 @@ struct SumCommand {
   double memory_mb = 0;  ///< 0: no limit
   double round = 0;      ///< of solids: as SolidOutput
   std::string engine = "fast", semantics = "closed";
+  UncertainOptions uncertain;
+  std::string set = "outer";  ///< which of both is written
   ReportOptions report;
   InputOptions input;
   OutputOptions output;

@@ -5,7 +5,7 @@ keywords of Python end in an underscore. Exact numbers are `fractions.Fraction`;
 Coordinates have the unit that they are given in; angles are in radians. See docs/guide/python.md.
 
 All names are here, and by subject in the modules regions, sums, motions, robots, meshes, solid_sums, depths, fits,
-nesting, discs, features and errors; generators of shapes are in shapes and solids.
+nesting, discs, features, uncertainty and errors; generators of shapes are in shapes and solids.
 """
 
 import copyreg as _copyreg
@@ -43,6 +43,7 @@ from . import regions as regions
 from . import robots as robots
 from . import solid_sums as solid_sums
 from . import sums as sums
+from . import uncertainty as uncertainty
 
 #: The library's exact numbers are Python's.
 Rational = Fraction
@@ -51,7 +52,7 @@ __version__ = _core.__version__
 
 __all__ = ["MeshLike", "Rational", "RegionLike", "shapes", "solids", "to_shapely", "to_trimesh", "version"]
 __all__ += ["depths", "discs", "errors", "features", "fits", "meshes", "motions", "nesting", "regions", "robots"]
-__all__ += ["solid_sums", "sums"]
+__all__ += ["solid_sums", "sums", "uncertainty"]
 __all__ += depths.__all__
 __all__ += discs.__all__
 __all__ += errors.__all__
@@ -64,6 +65,7 @@ __all__ += regions.__all__
 __all__ += robots.__all__
 __all__ += solid_sums.__all__
 __all__ += sums.__all__
+__all__ += uncertainty.__all__
 __all__ = sorted(set(__all__))
 
 # Functions of the compiled part are pickled by their names, as others are.

@@ -18,7 +18,8 @@ NB_MODULE(_core, m) {
                           bind_edited_solids,  bind_obstacle_mesh,    bind_nesting,        bind_nfp_table,
                           bind_placement,      bind_growing_disc,     bind_shape_features, bind_depth,
                           bind_local_sum,      bind_continuous_depth, bind_scaling_solids, bind_planar_local_sum,
-                          bind_turning_solids, bind_set_check,        bind_edited_sum,     bind_solid_families}) {
+                          bind_turning_solids, bind_set_check,        bind_edited_sum,     bind_solid_families,
+                          bind_uncertain}) {
     part(m);
   }
 }

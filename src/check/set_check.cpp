@@ -43,6 +43,14 @@ Result<PlanarExcess> excess_of(const PlanarSum& a, const PlanarSum& b, const che
   return excess;
 }
 
+/// The set of an operand. A Boolean result would be taken for the operations that made it, and what lies between two
+/// closed sets that it unites would be in none of their interiors: the sum with the origin is the closed set alone.
+Result<PlanarSum> set_of(const PlanarOperand& operand, const SumOptions& options) {
+  const PlanarOperand one[]{operand};
+  if (options.semantics == Semantics::regular) return united(one, options);
+  return minkowski_sum(operand, *Region::create({{}, {}, {{0, 0}}}), options);
+}
+
 bool is_nothing(const PlanarExcess& excess) { return excess.exact && excess.distance == 0; }
 
 }  // namespace
@@ -72,8 +80,7 @@ Result<PlanarSetCheck> check_set(const PlanarOperand& right, const PlanarOperand
   try {
     Poll poll(options.progress);
     poll.stage("distances");
-    const PlanarOperand rights[]{right}, mades[]{made};
-    const Result<PlanarSum> a = united(rights, sums), b = united(mades, sums);
+    const Result<PlanarSum> a = set_of(right, sums), b = set_of(made, sums);
     if (!a || !b) return a ? b.error() : a.error();
     Result<PlanarExcess> missing = excess_of(*a, *b, check::EdgeTree(check::edges_of(*b)), sums, poll);
     if (!missing) return missing.error();

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "dymsum/penetration_depth.h"
+#include "dymsum/planar_boolean.h"
 #include "dymsum/shapes.h"
 #include "dymsum/solid_union.h"
 #include "dymsum/solids.h"
@@ -52,6 +53,17 @@ TEST(SetCheck, RightSetsPass) {
   EXPECT_EQ(check.within(0), CheckVerdict::right);
   EXPECT_EQ(check.within(ratio(-1, 8)), CheckVerdict::wrong);
   EXPECT_TRUE(check_set(Region(), Region())->equal());
+}
+
+TEST(SetCheck, WhatLiesBetweenSetsThatAreUnitedIsNotMissing) {
+  const PlanarSum halves = *united(box(0, 0, 1, 1), box(1, 0, 2, 1));
+  SetCheckOptions closed;
+  closed.semantics = Semantics::closed;
+  EXPECT_TRUE(check_set(box(0, 0, 2, 1), halves, closed)->equal());
+  EXPECT_TRUE(check_set(halves, box(0, 0, 2, 1), closed)->equal());
+  const PlanarSum touching = *intersection(box(0, 0, 1, 1), box(1, 0, 2, 1));
+  EXPECT_TRUE(check_set(halves, touching, closed)->contained());
+  EXPECT_FALSE(check_set(box(0, 0, 0.5, 1), touching, closed)->contained());
 }
 
 TEST(SetCheck, ACornerThatIsCutOffIsFoundWithItsDistance) {

@@ -69,6 +69,7 @@ const std::vector<std::string> kRooms = {
     "nesting",
     "placement",
     "check",
+    "uncertain",
     "shape/complex",
     "shape/disc",
     "shape/features",

@@ -28,6 +28,7 @@
 #include "dymsum/solid_family.h"
 #include "dymsum/solid_offset.h"
 #include "dymsum/spatial_trace.h"
+#include "dymsum/uncertain_answers.h"
 
 namespace dymsum::names {
 namespace {
@@ -65,6 +66,7 @@ std::vector<Enumerators> enumerations() {
           of<FeatureBar::Death>("Death"),
           of<Fill>("Fill"),
           of<FrameMode>("FrameMode"),
+          of<Holds>("Holds"),
           of<LayoutFault::Kind>("Kind"),
           of<LayoutFormat>("LayoutFormat"),
           of<LocalEngine>("LocalEngine"),
