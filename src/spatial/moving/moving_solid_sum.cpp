@@ -34,7 +34,7 @@ SpatialSum sum_of_facets(const SolidPair& pair, PosedSpace space, ReducedConvolu
   SolidBoundary boundary =
       solid_boundary(std::move(space.space), std::move(convolution), pair.p, pair.q, hints, options, sum.stats, watch);
   watch.begin("faces");
-  assemble(boundary, pair.p, pair.q, sum, watch, corners);
+  assemble(boundary, pair.p, pair.q, sum, watch, {}, corners);
   watch.begin("");
   unscale(sum, space.scale);
   return sum;
