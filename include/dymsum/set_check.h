@@ -67,8 +67,8 @@ struct SolidExcess {
   double distance = 0;
   /// No position of the set is further away: `distance` where that is proved (`exact`), which it is where a vertex of
   /// the set is the furthest position, or one that is equally far from planes that are parallel or at right angles; else
-  /// a bound, no more than 2^-30 of the distance larger unless 20,000 cuts, and four for each triangle of the set's
-  /// boundary, did not do.
+  /// a bound, no more than 2^-30 of the distance, or 2^-43 of the largest coordinate, larger unless 20,000 cuts, and four
+  /// for each triangle of the set's boundary, did not do.
   double at_most = 0;
   bool exact = true;
 };

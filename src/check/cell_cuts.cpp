@@ -78,6 +78,7 @@ std::optional<HalvedSolidCell> CellCuts::between(const SolidCell& cell, std::uin
   constexpr int kHalvings = 40;
   for (int k = 0; k < kHalvings; ++k) (beyond(at((low + high) / 2)) ? high : low) = (low + high) / 2;
   const Vec3 z = at(high);
+  if (triangles_.distance_above(z, t) < 16 * triangles_.slack()) return std::nullopt;  // rounding says which is nearer
   const NearOnTriangle of_t = triangles_.near(z, t), of_u = triangles_.near(z, u);
   if (const auto form = bisector(t, of_t.feature, u, of_u.feature, z))
     if (auto halves = halved(cell, planes_.add(*form), planes_)) return halves;

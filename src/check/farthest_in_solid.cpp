@@ -35,7 +35,7 @@ class SolidSearch {
     for (const Face& f : set_.set.faces)
       for (const std::uint32_t v : f) used[v] = true;
     for (std::uint32_t v = 0; v < used.size(); ++v) {
-      if (used[v]) see(*surface_.vertex(v));
+      if (used[v]) see(*surface_.vertex(v), root_below_);
       poll_.at_test(v, used.size());
     }
   }
@@ -57,10 +57,10 @@ class SolidSearch {
   }
 
  private:
-  /// A bound may be larger than the distance by this, of the distance.
+  /// A bound may be larger than the distance by this, of the distance, or by what is for rounding.
   static constexpr double kGap = 0x1p-30;
   /// So often such a cell is cut in the hope for a proof that nothing in it is further.
-  static constexpr int kMostClose = 3;
+  static constexpr int kMostClose = 6;
   /// Cells that are cut: of any set, and for each of its faces.
   static constexpr std::size_t kMostCuts = 20'000, kMostCutsOfFace = 4;
 
@@ -79,9 +79,10 @@ class SolidSearch {
     best_.exact = false;
   }
 
-  /// Takes the position, which lies in the set, where it is further than all before.
-  void see(const SpacePoint& p) {
-    if (root_below_ >= 0 && triangles_.distance_above(p.near, triangles_.rough_nearest(p.near)) <= root_below_) return;
+  /// Takes the position, which lies in the set, where it is further than all before, unless doubles prove that it is no
+  /// further than `known`.
+  void see(const SpacePoint& p, double known) {
+    if (root_below_ >= 0 && triangles_.distance_above(p.near, triangles_.rough_nearest(p.near)) <= known) return;
     RationalVector at = p.rational();
     NearTriangles::Nearest nearest = triangles_.nearest(at, p.near);
     if (root_below_ >= 0 && exact::compare(nearest.squared, best_.nearest.squared) <= 0) return;
@@ -130,6 +131,7 @@ class SolidSearch {
   /// Drops the cell, or cuts it in two.
   void advance(Cell cell, double bound) {
     if (bound <= close_to_best() && is_proved(cell.shape)) return;
+    if (bound <= std::max(root_below_ * (1 + kGap), close_to_best()) && cell.close++ >= kMostClose) return leave(bound);
     if (!cell.crossing.empty())
       if (auto halves = surface_.cut(cell.shape, cell.crossing, worst_of(cell))) return take(cell, *std::move(halves));
     cell.crossing.clear();
@@ -137,9 +139,9 @@ class SolidSearch {
       if (!lies_inside(cell.shape)) return;
       cell.inside = true;
     }
-    for (const SpacePointRef& v : cell.shape.vertices) see(*v);
+    // By more than doubles err: of faces that are equally far but for rounding, every vertex would be a little further.
+    for (const SpacePointRef& v : cell.shape.vertices) see(*v, close_to_best());
     if (bound <= close_to_best() && is_proved(cell.shape)) return;
-    if (bound <= root_below_ * (1 + kGap) && cell.close++ >= kMostClose) return leave(bound);
     auto halves = cuts_.cut(cell.shape, cell.triangle, worst_of(cell), cell.depth);
     if (!halves) return leave(bound);
     take(cell, *std::move(halves));

@@ -70,9 +70,15 @@ NearOnTriangle NearTriangles::near(const Vec3& p, std::uint32_t triangle) const 
   const Face& f = set_.set.faces[triangle];
   const Vec3 t[3]{vector_of(set_.set.vertices[f[0]]), vector_of(set_.set.vertices[f[1]]),
                   vector_of(set_.set.vertices[f[2]])};
-  const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = p - t[0];
-  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
-  const double area = uu * vv - uv * uv, a = (vv * uw - uv * vw) / area, b = (uu * vw - uv * uw) / area;
+  const Vec3 u = t[1] - t[0], v = t[2] - t[0], n = cross(u, v);
+  // Where a triangle is thin the parameters of the foot err by much: what is left of the way to it is divided again.
+  constexpr int kRefinements = 3;
+  double a = 0, b = 0;
+  Vec3 rest = p - t[0];
+  for (int k = 0; k < kRefinements; ++k) {
+    a += dot(cross(rest, v), n) / dot(n, n), b += dot(cross(u, rest), n) / dot(n, n);
+    rest = p - (t[0] + a * u + b * v);
+  }
   NearOnTriangle best;
   double least = std::numeric_limits<double>::infinity();
   if (a >= 0 && b >= 0 && a + b <= 1) {
