@@ -16,7 +16,7 @@ namespace {
 
 using namespace nb::literals;
 
-void bind_edit(nb::module_& m) {
+void bind_solid_edit(nb::module_& m) {
   enumeration<SolidEditKind>(m, "SolidEditKind", "What is done to a mesh.");
   Record<SolidEdit> edit(m, "SolidEdit", "One edit of one operand, made by the methods of its kind.");
   edit.field("kind", &SolidEdit::kind)
@@ -40,7 +40,7 @@ void bind_edit(nb::module_& m) {
       .def_static("remove_shell", &SolidEdit::remove_shell, "operand"_a, "face"_a);
 }
 
-void bind_options(nb::module_& m) {
+void bind_solid_edit_options(nb::module_& m) {
   Record<SolidEditOptions> options(m, "SolidEditOptions", "Options of edited sums of solids.");
   options.def(
       "__init__",
@@ -105,7 +105,7 @@ auto reading_names(Read read) {
   };
 }
 
-void bind_states(nb::class_<EditingSolids>& type) {
+void bind_solid_states(nb::class_<EditingSolids>& type) {
   using Names = std::vector<std::uint64_t>;
   type.def("undo_count", reading([](EditableSolidSum& sum) { return sum.undo_count(); }))
       .def("redo_count", reading([](EditableSolidSum& sum) { return sum.redo_count(); }))
@@ -138,7 +138,7 @@ void bind_states(nb::class_<EditingSolids>& type) {
       });
 }
 
-nb::class_<EditingSolids> bind_sum(nb::module_& m) {
+nb::class_<EditingSolids> bind_solid_edit_sum(nb::module_& m) {
   nb::class_<EditingSolids> type(m, "EditableSolidSum", R"doc(P (+) Q of solids, which follows edits of P and of Q.
 
 >>> from dymsum import EditableSolidSum, MovingOperand, SolidEdit, minkowski_sum, solids
@@ -187,7 +187,7 @@ nb::class_<EditingSolids> bind_sum(nb::module_& m) {
   return type;
 }
 
-void bind_script(nb::module_& m) {
+void bind_solid_script(nb::module_& m) {
   Record<SolidScriptStep>(m, "SolidScriptStep", "A step of a script of solids.")
       .constructible()
       .field("action", &SolidScriptStep::action)
@@ -202,7 +202,7 @@ void bind_script(nb::module_& m) {
       "steps"_a, "A script of these steps; nothing is rounded.");
 }
 
-void bind_recording(nb::module_& m) {
+void bind_solid_recording(nb::module_& m) {
   Record<SolidEditRecording>(m, "SolidEditRecording", "All that it takes to make a session again, and its hashes.")
       .constructible()
       .field("p", &SolidEditRecording::p, "before the first step")
@@ -231,7 +231,7 @@ void bind_recording(nb::module_& m) {
       "recording"_a, "progress"_a = nb::none());
 }
 
-void bind_steps(nb::module_& m) {
+void bind_solid_steps(nb::module_& m) {
   m.def(
       "make_step", [](EditingSolids& sum, const SolidScriptStep& step) { return sum.step(step); }, "sum"_a, "step"_a);
   m.def(
@@ -247,13 +247,13 @@ void bind_steps(nb::module_& m) {
 }  // namespace
 
 void bind_edited_solids(nb::module_& m) {
-  bind_edit(m);
-  bind_options(m);
-  bind_script(m);
-  bind_recording(m);
-  nb::class_<EditingSolids> type = bind_sum(m);
-  bind_states(type);
-  bind_steps(m);
+  bind_solid_edit(m);
+  bind_solid_edit_options(m);
+  bind_solid_script(m);
+  bind_solid_recording(m);
+  nb::class_<EditingSolids> type = bind_solid_edit_sum(m);
+  bind_solid_states(type);
+  bind_solid_steps(m);
 }
 
 }  // namespace dymsum::python
