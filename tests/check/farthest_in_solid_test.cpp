@@ -78,7 +78,9 @@ TEST(FarthestInSolid, ACentreThatIsNoFractionIsBoundedClosely) {
 void expect_furthest(const SpatialSum& a, const SpatialSum& b, const SolidExcess& excess, double step) {
   EXPECT_GE(excess.at_most, excess.distance);
   // Sets that are one but for rounding have slivers, whose bound is coarse.
-  if (excess.distance > 0x1p-40) EXPECT_LE(excess.at_most, excess.distance * (1 + 0x1p-29));
+  if (excess.distance > 0x1p-40) {
+    EXPECT_LE(excess.at_most, excess.distance * (1 + 0x1p-29));
+  }
   if (excess.set.faces.empty()) return;
   SolidDepth depth = *SolidDepth::create(b, origin());
   EXPECT_TRUE(*contains(excess.set, origin(), excess.at));
