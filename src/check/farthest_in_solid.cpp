@@ -62,7 +62,7 @@ class SolidSearch {
   /// So often such a cell is cut in the hope for a proof that nothing in it is further.
   static constexpr int kMostClose = 3;
   /// Cells that are cut: of any set, and for each of its faces.
-  static constexpr std::size_t kMostCuts = 20'000, kMostCutsOfFace = 4;
+  static constexpr std::size_t kMostCuts = 1'000, kMostCutsOfFace = 4;
 
   struct Cell {
     SolidCell shape;

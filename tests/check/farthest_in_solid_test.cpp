@@ -77,8 +77,8 @@ TEST(FarthestInSolid, ACentreThatIsNoFractionIsBoundedClosely) {
 /// is one of a, as far as it says.
 void expect_furthest(const SpatialSum& a, const SpatialSum& b, const SolidExcess& excess, double step) {
   EXPECT_GE(excess.at_most, excess.distance);
-  // Sets that are one but for rounding have slivers, whose bound is coarse.
-  if (excess.distance > 0x1p-40) {
+  // Where sets differ by rounding to single precision alone, slivers end the work before the bound is close.
+  if (excess.distance > 0x1p-20) {
     EXPECT_LE(excess.at_most, excess.distance * (1 + 0x1p-29));
   }
   if (excess.set.faces.empty()) return;
