@@ -66,9 +66,9 @@ struct SolidExcess {
   Rational squared;
   double distance = 0;
   /// No position of the set is further away: `distance` where that is proved (`exact`), which it is where a vertex of
-  /// the set is the furthest position, or one that is equally far from planes that are parallel or at right angles; else
-  /// a bound, no more than 2^-30 of the distance, or 2^-43 of the largest coordinate, larger unless 20,000 cuts, and four
-  /// for each triangle of the set's boundary, did not do.
+  /// the set is the furthest position, or one that is equally far from planes that are parallel or at right angles;
+  /// else a bound, no more than 2^-30 of the distance, or 2^-43 of the largest coordinate, larger unless 20,000 cuts,
+  /// and four for each triangle of the set's boundary, did not do.
   double at_most = 0;
   bool exact = true;
 };
@@ -84,8 +84,8 @@ struct SolidSetCheck {
 
 /// Compares closures of interiors, exactly. Errors: as Boolean operations of solids (solid_union.h); out_of_range where
 /// vertices on their common grid need more than 8,192 bits. Cost: that of two differences, O(log n) for each vertex of
-/// these and n faces of the other solid, and where that is not convex for each cell into which it cuts them: some six for
-/// each of their triangles where surfaces differ all over.
+/// these and n faces of the other solid, and where that is not convex for each cell into which it cuts them: some six
+/// for each of their triangles where surfaces differ all over.
 Result<SolidSetCheck> check_set(const SpatialOperand& right, const SpatialOperand& made,
                                 const SpatialOptions& options = {});
 

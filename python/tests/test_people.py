@@ -167,7 +167,7 @@ def test_errors_of_batches_have_the_item() -> None:
         dymsum.nfp_each([(SQUARE,)])  # type: ignore[list-item, unused-ignore]
 
 
-GROUPS = "depths discs errors features fits meshes motions nesting regions robots solid_sums sums".split()
+GROUPS = "depths discs errors features fits meshes motions nesting regions robots solid_sums sums uncertainty".split()
 
 
 def test_names_are_listed_and_grouped() -> None:

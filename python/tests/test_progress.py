@@ -234,7 +234,7 @@ def _that_take_a_progress() -> Iterator[str]:
         for name, kind in vars(dymsum).items()
         if name.endswith("Options") and (hasattr(kind, "progress") or hasattr(kind, "sums"))
     ]
-    assert len(options) == 22
+    assert len(options) == 24
     for name, value in vars(dymsum).items():
         members = vars(value).items() if inspect.isclass(value) else [("", value)]
         for member, function in members:

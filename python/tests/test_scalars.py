@@ -38,6 +38,7 @@ VALUES: dict[str, Any] = {
     "collections.abc.Sequence[fractions.Fraction | float]": (0, 0),
     "collections.abc.Callable[[str, float], bool | None] | None": None,
     "collections.abc.Sequence[int]": (0, 0, 1),
+    "collections.abc.Sequence[float]": [0.5],
     "collections.abc.Sequence[dymsum.MeshLike]": [MESH, MESH],
     "collections.abc.Sequence[dymsum.RegionLike]": [REGION, REGION],
 }

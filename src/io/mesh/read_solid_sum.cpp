@@ -2,6 +2,7 @@
 // that they bound.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -139,13 +140,30 @@ class FaultSearch {
     if (std::optional<Error> error = name_vertices(*solid, name)) return error;
     for (std::size_t f = 0; f < std::max(sum_.faces.size(), solid->faces.size()); ++f) {
       if (f >= sum_.faces.size()) return fault("the solid that the faces bound has more of them");
-      if (f < solid->faces.size() && solid->faces[f].shell == sum_.faces[f].shell &&
-          solid->faces[f].loops == renamed(sum_.faces[f].loops, name))
-        continue;
+      if (f < solid->faces.size() && solid->faces[f].loops == renamed(sum_.faces[f].loops, name)) continue;
       return fault_of_face(f,
                            "the faces are none of a result: this one is not what bounds the solid of all of them, or "
                            "not in its order");
     }
+    return fault_of_shells(*solid);
+  }
+  /// Shells are numbered in the order of their first faces, and hold what edges of two faces join. Where four faces
+  /// meet along an edge, results have one shell or two, as bodies that touch there were made.
+  std::optional<Error> fault_of_shells(const SpatialSum& solid) const {
+    const auto wrong = [&](std::size_t f) { return fault_of_face(f, "its shell is none of the solid's"); };
+    std::vector<std::uint32_t> whole;  // of every shell the solid's
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> at_edge;
+    for (std::size_t f = 0; f < sum_.faces.size(); ++f) {
+      const std::uint32_t shell = sum_.faces[f].shell;
+      if (shell > whole.size()) return wrong(f);
+      if (shell == whole.size()) whole.push_back(solid.faces[f].shell);
+      if (whole[shell] != solid.faces[f].shell) return wrong(f);
+      for (const auto& loop : sum_.faces[f].loops)
+        for (std::size_t k = 0; k < loop.size(); ++k)
+          at_edge[std::minmax(loop[k], loop[(k + 1) % loop.size()])].push_back(f);
+    }
+    for (const auto& [ends, faces] : at_edge)
+      if (faces.size() == 2 && sum_.faces[faces[0]].shell != sum_.faces[faces[1]].shell) return wrong(faces[1]);
     return std::nullopt;
   }
   /// Of every vertex of a face: which one of the solid it is.

@@ -195,7 +195,7 @@ NearPairs listed(std::size_t boxes, std::span<Pairs> parts, StageWatch& watch) {
   return near;
 }
 
-/// Two sets of boxes with indices, halved by turns: of either what lies outside of the other one's box is left out.
+/// Two sets of boxes with indices, halved alternately: of either what lies outside of the other one's box is left out.
 class PairsBetween {
  public:
   PairsBetween(std::span<const Box> boxes, StageWatch& watch) : boxes_(boxes), watch_(watch) {}

@@ -95,7 +95,7 @@ class Split {
       }
     }
   }
-  /// Whether the outline of a face runs on along the line of a half-edge. Within one triangle it turns.
+  /// Whether the outline of a face runs on along the line of a half-edge. Within one triangle it bends.
   bool goes_straight_on(std::uint32_t h) const {
     std::uint32_t g = next(h);
     if (faces_.flat[g] == 0) return false;

@@ -47,39 +47,66 @@ MeshData as_triangles(const MeshData& surface) {
   return result;
 }
 
-/// Shells that are inside out and cross another shell are bodies: turned over, they add to it what they would have
-/// taken away. (One that crosses nothing bounds a cavity, or a body by itself; one with an edge of more than two faces
-/// may be a piece of a surface, which has no inside.) Returns a vertex of each.
-std::vector<Point3> turn_crossing_shells(MeshData& triangles) {
+/// What was done, before the union, with shells that run inward and meet another one.
+struct InnerShells {
+  std::vector<Point3> turned;  ///< a vertex of each that was reversed
+  bool cavities = false;       ///< others were kept as they are
+};
+
+/// The shells that run inward and meet another one. (One that meets nothing bounds a cavity, or a body by itself; one
+/// with an edge of more than two faces may be a piece of a surface, which has no inside.)
+std::vector<bool> inward_shells_that_meet(const MeshData& triangles, const spatial::Shells& shells,
+                                          const std::vector<int>& signs) {
+  std::vector<bool> found(shells.count);
+  if (shells.count < 2 || std::find(signs.begin(), signs.end(), -1) == signs.end()) return found;
+  spatial::Triangles all;
+  for (const Face& face : triangles.faces) all.triangles.push_back({face[0], face[1], face[2]});
+  std::vector<bool> queried;
+  for (const std::uint32_t shell : shells.of_face) queried.push_back(signs[shell] < 0);
+  for (const auto& [a, b] : spatial::find_meetings(triangles.vertices, all.triangles,
+                                                   spatial::boxes_of(triangles.vertices, all.triangles), queried)) {
+    const std::uint32_t s = shells.of_face[a], t = shells.of_face[b];
+    if (s == t) continue;
+    found[s] = found[s] || signs[s] < 0, found[t] = found[t] || signs[t] < 0;
+  }
+  return found;
+}
+
+/// A shell that runs inward bounds a cavity where what it encloses lies in the bodies, the shells that run outward; one
+/// that sticks out of them is a body inside out, and is reversed: then the bodies with what it encloses are another set
+/// than without. O(k) unions for k of these shells.
+Result<InnerShells> settle_inner_shells(MeshData& triangles, const SpatialOptions& options) {
   const spatial::HalfEdges edges = spatial::half_edges(triangles.faces);
   const spatial::Shells shells = spatial::find_shells(edges);
   std::vector<int> signs = spatial::shell_signs(triangles, shells);
   for (std::size_t h = 0; h < edges.twin.size(); ++h)
     if (edges.twin[h] == spatial::HalfEdges::kNone) signs[shells.of_face[edges.face[h]]] = 0;
-  if (shells.count < 2 || std::find(signs.begin(), signs.end(), -1) == signs.end()) return {};
-  spatial::Triangles all;
-  for (const Face& face : triangles.faces) all.triangles.push_back({face[0], face[1], face[2]});
-  all.face.resize(triangles.faces.size());
-  std::iota(all.face.begin(), all.face.end(), 0u);
-  std::vector<bool> queried;
-  for (const std::uint32_t shell : shells.of_face) queried.push_back(signs[shell] < 0);
-  std::vector<bool> turned(shells.count);
-  for (const auto& [a, b] :
-       spatial::find_meetings(triangles, all, spatial::boxes_of(triangles.vertices, all.triangles), queried)) {
-    const std::uint32_t s = shells.of_face[a], t = shells.of_face[b];
-    if (s == t) continue;
-    turned[s] = signs[s] < 0, turned[t] = signs[t] < 0;
-  }
-  std::vector<Point3> at;
-  std::vector<bool> seen(shells.count);
+  const std::vector<bool> inward = inward_shells_that_meet(triangles, shells, signs);
+  InnerShells inner;
+  if (std::find(inward.begin(), inward.end(), true) == inward.end()) return inner;
+  MeshData bodies{triangles.vertices, {}};
+  std::vector<std::vector<Face>> turned(shells.count);
   for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
-    const std::uint32_t shell = shells.of_face[f];
-    if (!turned[shell]) continue;
-    if (!seen[shell]) at.push_back(triangles.vertices[triangles.faces[f].front()]);
-    seen[shell] = true;
-    std::reverse(triangles.faces[f].begin(), triangles.faces[f].end());
+    const std::uint32_t s = shells.of_face[f];
+    if (signs[s] > 0) bodies.faces.push_back(triangles.faces[f]);
+    if (inward[s]) turned[s].emplace_back(triangles.faces[f].rbegin(), triangles.faces[f].rend());
   }
-  return at;
+  const Result<SpatialSum> before = united(bodies, Fill::nonzero, options);
+  if (!before) return before.error();
+  std::vector<bool> sticks_out(shells.count);
+  for (std::uint32_t s = 0; s < shells.count; ++s) {
+    if (!inward[s]) continue;
+    MeshData with = bodies;
+    with.faces.insert(with.faces.end(), turned[s].begin(), turned[s].end());
+    const Result<SpatialSum> after = united(with, Fill::nonzero, options);
+    if (!after) return after.error();
+    sticks_out[s] = *before != *after;
+    inner.cavities = inner.cavities || !sticks_out[s];
+    if (sticks_out[s]) inner.turned.push_back(triangles.vertices[turned[s].front().back()]);
+  }
+  for (std::size_t f = 0; f < triangles.faces.size(); ++f)
+    if (sticks_out[shells.of_face[f]]) std::reverse(triangles.faces[f].begin(), triangles.faces[f].end());
+  return inner;
 }
 
 /// Errors that no union repairs.
@@ -204,8 +231,10 @@ std::optional<Result<LoggedMesh>> repair_crossings(MeshData data, Fill fill, con
   if (!surface) return std::nullopt;
   MeshData triangles = as_triangles(surface->data);
   const bool reverses = fill == Fill::nonzero && spatial::allows(repairs, MeshRepairKind::reversed_shells);
-  const std::vector<Point3> turned = reverses ? turn_crossing_shells(triangles) : std::vector<Point3>{};
-  const Result<SpatialSum> solid = united(triangles, fill, options);
+  const Result<InnerShells> inner = reverses ? settle_inner_shells(triangles, options) : InnerShells{};
+  if (!inner) return is_limit(inner.error().code) ? std::optional<Result<LoggedMesh>>(inner.error()) : std::nullopt;
+  // Where cavities overlap each other, and nothing else is there, the winding number is -1.
+  const Result<SpatialSum> solid = united(triangles, inner->cavities ? Fill::positive : fill, options);
   if (!solid) return is_limit(solid.error().code) ? std::optional<Result<LoggedMesh>>(solid.error()) : std::nullopt;
   if (solid->faces.empty()) return std::nullopt;
   Result<SpatialSum::Rounded> rounded = solid->rounded();
@@ -213,13 +242,13 @@ std::optional<Result<LoggedMesh>> repair_crossings(MeshData data, Fill fill, con
   LoggedMesh result;
   result.log = std::move(surface->log);
   MeshRepairReport& counts = result.log.counts;
-  counts.reversed_shells += turned.size();
+  counts.reversed_shells += inner->turned.size();
   counts.united = true;
   counts.united_distance = rounded->distance;
   const std::vector<Point3> crossings = new_positions(rounded->mesh.vertices, surface->data.vertices);
   counts.united_crossings = crossings.size();
   spatial::RepairMarks marks(result.log.marks);
-  for (const Point3& at : turned) marks.add(MeshRepairKind::reversed_shells, at);
+  for (const Point3& at : inner->turned) marks.add(MeshRepairKind::reversed_shells, at);
   for (const Point3& at : crossings) marks.add(MeshRepairKind::crossings, at);
   if (crossings.empty()) marks.add(MeshRepairKind::crossings, rounded->mesh.vertices.front());
   result.log.marks = marks.all();

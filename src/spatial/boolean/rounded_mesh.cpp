@@ -177,7 +177,7 @@ std::optional<SpatialSum::Rounded> united_again(SpatialSum::Rounded drawn, Preci
 Result<SpatialSum::Rounded> SpatialSum::rounded(Precision precision, double tolerance) const {
   const Rounded at_first = drawn();
   const bool single = precision == Precision::singles;
-  // Without a crossing, too, what is thin may be turned inside out: around an edge of four faces, or a whole shell.
+  // Without a crossing, too, what is thin may be inside out then: around an edge of four faces, or a whole shell.
   if (!single && !spatial::rounding_error(at_first.mesh) && Mesh::create(at_first.mesh)) return at_first;
   if (tolerance == 0) tolerance = single ? 0x1p-20 : 0x1p-40;
   Result<Rounded> separated = spatial::separated_surface(at_first, precision, tolerance, untangled);

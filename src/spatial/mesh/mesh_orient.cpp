@@ -321,16 +321,30 @@ ShellFates as_cavities(const std::vector<int>& signs, const std::vector<std::vec
   return fates;
 }
 
-/// The fates of shells by the winding number on both sides of every shell.
-ShellFates as_bodies(std::vector<int> signs, const std::vector<std::vector<std::uint32_t>>& around,
-                     const ShellRepairs& repairs) {
+/// The shells of which a face meets one of another shell: no one side of them is inside of that.
+std::vector<bool> shells_that_meet(const MeshData& data, const Shells& shells) {
+  std::vector<bool> found(shells.count);
+  if (shells.count < 2 || !all_faces_valid(data)) return found;
+  const Triangles triangles = triangulated(data);
+  const std::vector<bool> all(triangles.triangles.size(), true);
+  for (const auto& [a, b] : find_meetings(data, triangles, boxes_of(data.vertices, triangles.triangles), all)) {
+    const std::uint32_t s = shells.of_face[triangles.face[a]], t = shells.of_face[triangles.face[b]];
+    if (s != t) found[s] = found[t] = true;
+  }
+  return found;
+}
+
+/// The fates of shells by the winding number on both sides of every shell. Those that meet others have none here.
+ShellFates as_bodies(std::vector<int> signs, const std::vector<bool>& meets,
+                     const std::vector<std::vector<std::uint32_t>>& around, const ShellRepairs& repairs) {
   ShellFates fates{std::vector<bool>(signs.size()), std::vector<bool>(signs.size()), std::vector<bool>(signs.size())};
   for (std::size_t s = 0; s < signs.size(); ++s) {
-    if (!around[s].empty() || signs[s] > 0 || !repairs.reverse) continue;
+    if (meets[s] || !around[s].empty() || signs[s] > 0 || !repairs.reverse) continue;
     fates.turned[s] = true;
     signs[s] = 1;
   }
   for (std::size_t s = 0; s < signs.size(); ++s) {
+    if (meets[s]) continue;
     int outside = 0;
     for (const std::uint32_t t : around[s]) outside += signs[t];
     const int inside = outside + signs[s];
@@ -349,7 +363,8 @@ TurnedShells turn_shells(MeshData& data, const ShellRepairs& repairs) {
   const std::vector<int> signs = shell_signs(data, shells);
   const bool bodies = repairs.nested == NestedShells::solid;
   const std::vector<std::vector<std::uint32_t>> around = shells_around(data, shells);
-  const ShellFates fates = bodies ? as_bodies(signs, around, repairs) : as_cavities(signs, around, repairs);
+  const ShellFates fates =
+      bodies ? as_bodies(signs, shells_that_meet(data, shells), around, repairs) : as_cavities(signs, around, repairs);
   TurnedShells result;
   if (std::find(fates.dropped.begin(), fates.dropped.end(), true) != fates.dropped.end())
     result.dropped.resize(data.faces.size());

@@ -277,7 +277,7 @@ class Assembler {
   SpatialSum& sum_;
   StageWatch& watch_;
   std::vector<SheetFace> sheet_faces_;
-  CornerContacts* corners_;           // null where nobody asks
+  CornerContacts* corners_;           // may be null
   std::size_t first_sheet_face_ = 0;  // among all polygons
   std::vector<bool> of_sheet_;        // per face of the sum
   std::vector<PointId> point_of_;     // per vertex
