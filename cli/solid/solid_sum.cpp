@@ -7,6 +7,7 @@
 #include "report.h"
 #include "solid/solid_limits.h"
 #include "solid/solid_operands.h"
+#include "solid/solid_results.h"
 #include "solid/solid_run.h"
 
 namespace dymsum::cli {
@@ -80,6 +81,7 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   operands.insert(operands.end(), command.more.begin(), command.more.end());
   are_solid(operands, command.input);
   const std::vector<SolidInput> inputs = read_solids_and_results(operands, command.input);
+  if (verb.solids) report_left_out(inputs, command.input.quiet);
   const auto convex = [](const SolidInput& input) { return input.result || !convexity_error(input.mesh); };
   if (verb.is_sum && inputs.size() == 2 && !std::all_of(inputs.begin(), inputs.end(), convex))
     announce_cost(inputs[0].mesh, inputs[1].mesh);

@@ -1,5 +1,6 @@
 #include "exact/near_values.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "exact/grid.h"
@@ -10,15 +11,19 @@ double power_below(double v) { return std::exp2(std::floor(std::log2(v))); }
 
 namespace {
 
-/// The spacing of single precision at the size.
+/// The spacing of single precision at the size, or at the largest coordinate of what is further away than it is large.
+/// Nothing where the size has not 256 of these: there is no telling what is rounding.
 std::optional<double> unit_of_single_precision(std::span<const double> coordinates, double size) {
   const double coarse = power_below(std::ldexp(size, -12));
   bool long_ones = false;
+  double reach = size;
   for (const double c : coordinates) {
     if (static_cast<double>(static_cast<float>(c)) != c) return std::nullopt;
     long_ones = long_ones || std::remainder(c, coarse) != 0;
+    reach = std::max(reach, std::abs(c));
   }
-  return long_ones ? std::optional(std::ldexp(size, -23)) : std::nullopt;
+  const double unit = std::ldexp(reach, -23);
+  return long_ones && size >= 256 * unit ? std::optional(unit) : std::nullopt;
 }
 
 /// The unit of the last digit of decimals.

@@ -134,16 +134,20 @@ class LinesMaker {
   }
 
  private:
-  /// One for all regions, so that lengths that were equal are so: the one that the least tolerance wants, unless the
-  /// coordinates are too large for that.
+  /// One for all regions, so that lengths that were equal are so: the one that the least tolerance wants, or the largest
+  /// coordinates of all. A region for whose tolerance that is too large has one of its own.
   void choose_units() {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t s = 0; s < sets_.size(); ++s)
-      if (sets_[s].tolerance > 0) least = std::min(least, std::ldexp(sets_[s].tolerance, given_[s].exponent));
+    double fine = std::numeric_limits<double>::infinity(), coarse = 0;
     for (std::size_t s = 0; s < sets_.size(); ++s) {
       if (!(sets_[s].tolerance > 0)) continue;
-      const double fine = std::ldexp(least, -given_[s].exponent);
-      sets_[s].unit = exact::power_below(std::max(fine, given_[s].tolerance.least) / 16);
+      fine = std::min(fine, std::ldexp(sets_[s].tolerance, given_[s].exponent));
+      coarse = std::max(coarse, std::ldexp(given_[s].tolerance.least, given_[s].exponent));
+    }
+    for (std::size_t s = 0; s < sets_.size(); ++s) {
+      if (!(sets_[s].tolerance > 0)) continue;
+      const double own = std::max(std::ldexp(fine, -given_[s].exponent), given_[s].tolerance.least);
+      const double all = exact::power_below(std::ldexp(std::max(fine, coarse), -given_[s].exponent) / 16);
+      sets_[s].unit = all <= sets_[s].tolerance / 4 ? all : exact::power_below(own / 16);
     }
   }
   /// Chains of a region along equal axes have their midpoint in common.

@@ -236,7 +236,8 @@ std::optional<Result<LoggedMesh>> repair_crossings(MeshData data, Fill fill, con
   // Where cavities overlap each other, and nothing else is there, the winding number is -1.
   const Result<SpatialSum> solid = united(triangles, inner->cavities ? Fill::positive : fill, options);
   if (!solid) return is_limit(solid.error().code) ? std::optional<Result<LoggedMesh>>(solid.error()) : std::nullopt;
-  if (solid->faces.empty()) return std::nullopt;
+  if (solid->faces.empty())
+    return Result<LoggedMesh>(Error{ErrorCode::no_area, "the surfaces go around nothing, by winding number", {}});
   Result<SpatialSum::Rounded> rounded = solid->rounded();
   if (!rounded) return rounded.error();
   LoggedMesh result;
