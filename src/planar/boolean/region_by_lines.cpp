@@ -134,8 +134,8 @@ class LinesMaker {
   }
 
  private:
-  /// One for all regions, so that lengths that were equal are so: the one that the least tolerance wants, or the largest
-  /// coordinates of all. A region for whose tolerance that is too large has one of its own.
+  /// One for all regions, so that lengths that were equal are so: the one that the least tolerance wants, or the
+  /// largest coordinates of all. A region for whose tolerance that is too large has one of its own.
   void choose_units() {
     double fine = std::numeric_limits<double>::infinity(), coarse = 0;
     for (std::size_t s = 0; s < sets_.size(); ++s) {
