@@ -35,7 +35,7 @@ void refuse_replaced_input(const CLI::App& verb, const std::string& output) {
   for (const CLI::Option* option : verb.get_options()) {
     if (is_output(*option)) continue;
     for (const std::string& value : option->results())
-      if (std::filesystem::equivalent(file_of_operand(value), position, unknown))
+      if (std::filesystem::equivalent(file_of_shape(value), position, unknown))
         throw Stop(kUsage,
                    "the output " + output + " is the file that " + value + " is read from, and would replace it");
   }

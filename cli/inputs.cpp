@@ -12,10 +12,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <iostream>
 #include <iterator>
-#include <system_error>
 #include <utility>
 
 namespace dymsum::cli {
@@ -87,11 +85,6 @@ RegionFormat format_of_text(std::string_view text) {
 }
 
 bool is_footprint(const std::string& operand) { return operand.starts_with("["); }
-
-std::string file_of_operand(const std::string& operand) {
-  std::error_code unknown;
-  return std::filesystem::exists(operand, unknown) ? operand : operand.substr(0, operand.rfind('#'));
-}
 
 std::string_view without_mark(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";

@@ -70,9 +70,6 @@ T require_of(const std::vector<Input>& inputs, Result<T> result);
 /// Whether an operand is itself a footprint, "[[x,y],...]", and names no file.
 bool is_footprint(const std::string& operand);
 
-/// FILE of FILE#NAME, unless there is a file of that very name.
-std::string file_of_operand(const std::string& operand);
-
 /// A text without the mark of its byte order.
 std::string_view without_mark(std::string_view text);
 /// All of standard input, read once, as it is.

@@ -71,7 +71,7 @@ void report_changes(const ViewCommand& command, const std::string& page, const s
   // What another file has become meanwhile, as the end of a pipe, may take for ever to read.
   const auto is_there = [](const std::string& file) {
     std::error_code unknown;
-    return file == "-" || is_footprint(file) || std::filesystem::is_regular_file(file_of_operand(file), unknown);
+    return file == "-" || is_footprint(file) || std::filesystem::is_regular_file(file_of_shape(file), unknown);
   };
   if (!std::all_of(command.files.begin(), command.files.end(), is_there)) return;
   try {

@@ -80,11 +80,11 @@ Json input_json(const ViewerInput& input) {
 
 /// Whether an operand is not all that its file holds, or not as it stands there.
 bool is_made(const std::string& operand, const InputOptions& options) {
-  const auto ends = [&](const char* with) { return file_of_operand(operand).ends_with(with); };
+  const auto ends = [&](const char* with) { return file_of_shape(operand).ends_with(with); };
   if (ends(".gz") || ends(".3mf") || ends(".glb") || ends(".gpkg")) return true;  // formats that the page does not take
   return holds_solid_result(operand, options) || holds_result(operand, options) || options.repair() ||
          !options.fill.empty() || !options.join.empty() || !options.snap.empty() || !options.curve_error.empty() ||
-         !options.curve_bound.empty() || options.hull || is_map(operand) || file_of_operand(operand) != operand;
+         !options.curve_bound.empty() || options.hull || is_map(operand) || file_of_shape(operand) != operand;
 }
 
 ViewerInput made_input(const std::string& operand, InputOptions options) {
@@ -106,7 +106,7 @@ ViewerInput made_input(const std::string& operand, InputOptions options) {
 std::string shape_name(const std::string& operand) {
   if (operand == "-") return "input";
   if (is_footprint(operand)) return "footprint";
-  const std::string file = file_of_operand(operand), stem = fs::path(file).stem().string();
+  const std::string file = file_of_shape(operand), stem = fs::path(file).stem().string();
   return file == operand ? stem : stem + " " + operand.substr(file.size() + 1);
 }
 
@@ -119,7 +119,7 @@ ViewerInput viewer_input(const std::string& operand, const InputOptions& options
   }
   if (operand == "-") return {shape_name(operand) + extension_of_input(options), standard_input()};
   if (is_footprint(operand)) return {shape_name(operand) + ".json", operand};
-  const std::string file = file_of_operand(operand);
+  const std::string file = file_of_shape(operand);
   return {fs::path(file).filename().string(), bytes_of(file)};
 }
 

@@ -18,7 +18,7 @@ WatchedInputs::WatchedInputs(std::vector<std::string> operands, const InputOptio
 
 WatchedInputs::Stamp WatchedInputs::stamp_of(const std::string& operand) const {
   if (operand == "-" || is_footprint(operand)) return {};
-  const std::string file = file_of_operand(operand);
+  const std::string file = file_of_shape(operand);
   std::error_code unknown;
   Stamp stamp;
   // What is no file, as the end of a pipe, is read once: there it may take for ever.

@@ -30,6 +30,9 @@ Result<RegionFormat> region_format(std::string_view path);
 /// Whether a text begins as .dxf files do: with a section, or with a comment that is not a number, on the line after
 /// its code. Other formats never do.
 bool begins_like_dxf(std::string_view text);
+/// The file in a path that may name a shape of it after a "#": all of the path where there is a file of that name; else
+/// what stands before the last "#" in front of which there is a file; where there is none, before the last "#".
+std::string file_of_shape(const std::string& path);
 /// Whether read_shapes reads files of that name, by the extension, perhaps in front of a "#": those formats and maps.
 bool names_region(const std::string& path);
 

@@ -26,9 +26,10 @@ bool is_written(const std::string& path, const std::string& bytes) {
 }  // namespace
 
 FileInMemory::FileInMemory(const std::string& name, const std::string& bytes) : path_(relative(name)), file_(path_) {
-  // "#" may also be in the name of a file itself: what is after the last one and no extension names a shape.
-  const std::size_t mark = file_.rfind('#');
-  if (mark != std::string::npos && file_.find('.', mark) == std::string::npos) file_.erase(mark);
+  // "#" may also be in the name of a file itself, and of a shape: what is after one and has no extension names a shape.
+  for (std::size_t mark = file_.rfind('#'); mark != std::string::npos && file_.find('.', mark) == std::string::npos;
+       mark = file_.rfind('#'))
+    file_.erase(mark);
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path(file_).parent_path(), ignored);
   if (!is_written(file_, bytes))

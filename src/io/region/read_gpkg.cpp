@@ -67,24 +67,37 @@ class GpkgReader {
 
   std::vector<NamedShape> read() {
     const std::vector<Layer> layers = read_layers();
+    const auto there = [&](const Layer& layer) -> const Layer& {
+      if (layer.kind == Layer::Kind::missing)
+        fail("the layer " + in_quotes(layer.table) + " names a table that is not there");
+      return layer;
+    };
     if (selected_) {
       for (const Layer& layer : layers)
-        if (layer.table == *selected_) return {merged(layer)};
+        if (layer.table == *selected_) return {merged(there(layer))};
+      const Layer* longest = nullptr;  // of "a" and "a/b", for "a/b/3"
       for (const Layer& layer : layers)
-        if (selected_->starts_with(layer.table + "/")) return {row_of(layer)};
+        if (selected_->starts_with(layer.table + "/") && (!longest || layer.table.size() > longest->table.size()))
+          longest = &layer;
+      if (longest) return {row_of(there(*longest))};
       if (selected_->find_first_not_of("0123456789") != std::string::npos || selected_->empty())
         fail("no layer " + in_quotes(*selected_) + ": there are " + names_of_all(layers));
     }
+    // A registered layer without a table, as deleted ones leave behind, has no rows; alone it is a fault.
+    const auto missing = [](const Layer& layer) { return layer.kind == Layer::Kind::missing; };
+    if (std::all_of(layers.begin(), layers.end(), missing)) there(layers.front());
     std::vector<NamedShape> shapes;
     for (const Layer& layer : layers)
-      for (NamedShape& shape : rows_of(layer)) shapes.push_back(std::move(shape));
+      if (!missing(layer))
+        for (NamedShape& shape : rows_of(layer)) shapes.push_back(std::move(shape));
     return shapes;
   }
 
  private:
   struct Layer {
+    enum class Kind { table, view, missing };
     std::string table, column;
-    bool view = false;
+    Kind kind = Kind::table;
   };
   using Geometry = std::optional<std::string_view>;  ///< nothing in a row without one
 
@@ -104,9 +117,10 @@ class GpkgReader {
                 "g.table_name");
     std::vector<Layer> layers;
     while (query.next()) {
-      Layer layer{query.text(0), query.text(1), query.text(2) == "view"};
-      if (query.is_null(2)) fail("the layer " + in_quotes(layer.table) + " names a table that is not there");
-      layers.push_back(std::move(layer));
+      const auto kind = query.is_null(2)          ? Layer::Kind::missing
+                        : query.text(2) == "view" ? Layer::Kind::view
+                                                  : Layer::Kind::table;
+      layers.push_back({query.text(0), query.text(1), kind});
     }
     if (layers.empty()) fail("the file has no layer of geometries");
     return layers;
@@ -114,19 +128,32 @@ class GpkgReader {
 
   static std::string names_of_all(const std::vector<Layer>& layers) {
     NameList names;
-    for (const Layer& layer : layers) names.add(layer.table);
+    for (const Layer& layer : layers)
+      names.add(layer.table, layer.kind == Layer::Kind::missing ? " (whose table is not there)" : "");
     return names.text();
   }
 
-  /// Calls visit(row, geometry) for the rows of a layer: by their numbers in a table, counted from 1 in a view. What is
-  /// wrong is said with layer and row.
+  /// Views and tables WITHOUT ROWID number no rows.
+  bool numbers_rows(const Layer& layer) {
+    if (layer.kind == Layer::Kind::view) return false;
+    try {
+      Query(database_, "SELECT rowid FROM " + quoted_name(layer.table) + " LIMIT 0");
+      return true;
+    } catch (const DatabaseFailure&) {
+      return false;  // anything else that is wrong with the table is told by the query of its rows
+    }
+  }
+
+  /// Calls visit(row, geometry) for the rows of a layer: by their numbers, or counted from 1 where they have none. What
+  /// is wrong is said with layer and row.
   template <class Visit>
   void each_row(const Layer& layer, Visit visit) {
     const std::string geometry = "t." + quoted_name(layer.column), table = quoted_name(layer.table);
-    Query query(database_, layer.view ? "SELECT NULL, " + geometry + " FROM " + table + " AS t"
-                                      : "SELECT t.rowid, " + geometry + " FROM " + table + " AS t ORDER BY t.rowid");
+    const bool numbered = numbers_rows(layer);
+    Query query(database_, numbered ? "SELECT t.rowid, " + geometry + " FROM " + table + " AS t ORDER BY t.rowid"
+                                    : "SELECT NULL, " + geometry + " FROM " + table + " AS t");
     for (std::int64_t count = 1; query.next(); ++count) {
-      const std::string row = std::to_string(layer.view ? count : query.integer(0));
+      const std::string row = std::to_string(numbered ? query.integer(0) : count);
       try {
         if (!query.is_null(1) && !query.is_blob(1)) throw WkbFailure{ErrorCode::malformed, "the geometry is no blob"};
         visit(row, query.is_null(1) ? std::nullopt : std::optional(query.blob(1)));

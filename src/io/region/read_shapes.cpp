@@ -27,10 +27,10 @@ struct Selection {
 
 /// "a.json#3" is shape 3 of a.json, unless there is a file of that very name.
 Selection split_selection(const std::string& path) {
-  const std::size_t hash = path.rfind('#');
-  std::error_code ignored;
-  if (hash == std::string::npos || std::filesystem::exists(path, ignored)) return {path, std::nullopt};
-  return {path.substr(0, hash), path.substr(hash + 1)};
+  std::string file = file_of_shape(path);
+  if (file == path) return {std::move(file), std::nullopt};
+  std::string shape = path.substr(file.size() + 1);
+  return {std::move(file), std::move(shape)};
 }
 
 std::optional<RegionFormat> format_of_extension(std::string_view path) {
@@ -147,7 +147,10 @@ Error error_of_several(const std::vector<NamedShape>& shapes, const std::string&
 
 Result<RegionFormat> region_format(std::string_view path) {
   std::optional<RegionFormat> format = format_of_extension(path);
-  if (!format) format = format_of_extension(path.substr(0, path.rfind('#')));
+  for (std::size_t mark = path.rfind('#'); !format && mark != std::string_view::npos && mark > 0;) {
+    format = format_of_extension(path.substr(0, mark));  // "#" may be in the name of a shape, too
+    mark = path.rfind('#', mark - 1);
+  }
   if (!format)
     return file_error(ErrorCode::unsupported_format,
                       "the extension is none of .poly, .wkt, .geojson, .svg, .json, .dxf, .gpkg", path);
@@ -167,6 +170,17 @@ Result<std::vector<NamedShape>> parse_shapes(std::string_view text, RegionFormat
   } catch (io::ReadFailure& failure) {
     return std::move(failure.error);
   }
+}
+
+std::string file_of_shape(const std::string& path) {
+  const auto exists = [](const std::string& file) {
+    std::error_code ignored;
+    return file == "-" || std::filesystem::exists(file, ignored);
+  };
+  if (path.find('#') == std::string::npos || exists(path)) return path;
+  for (std::size_t mark = path.rfind('#'); mark != std::string::npos && mark > 0; mark = path.rfind('#', mark - 1))
+    if (std::string file = path.substr(0, mark); exists(file)) return file;
+  return path.substr(0, path.rfind('#'));
 }
 
 bool names_region(const std::string& path) {

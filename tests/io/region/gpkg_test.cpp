@@ -157,6 +157,45 @@ TEST(Gpkg, what_is_not_selected_is_not_read) {
   EXPECT_FALSE(read_shapes(path).ok());
 }
 
+TEST(Gpkg, a_layer_without_its_table_hides_no_other) {
+  const Folder folder("gpkg");
+  const std::string path = folder / "map.gpkg";
+  save(path, database(kTables + registered("gone") + layer("towns") + row("towns", 3, triangle(0))));
+  EXPECT_EQ(read_region_data(path).value(), triangle(0));
+  EXPECT_EQ(read_region_data(path + "#towns").value(), triangle(0));
+  for (const char* selected : {"#gone", "#gone/1"})
+    EXPECT_NE(read_shape(path + selected).error().message.find("'gone' names a table that is not there"),
+              std::string::npos);
+  EXPECT_NE(read_shape(path + "#rivers").error().message.find("gone (whose table is not there), towns"),
+            std::string::npos);
+}
+
+TEST(Gpkg, tables_without_row_numbers_are_counted) {
+  const auto shapes =
+      read_all(database(kTables + registered("towns") +
+                        "CREATE TABLE towns (code TEXT PRIMARY KEY, fid INTEGER, geom BLOB) WITHOUT ROWID;" +
+                        "INSERT INTO towns VALUES ('x', 7, NULL);" + "INSERT INTO towns VALUES ('y', 5, x'" +
+                        hex(blob(wkb_of(triangle(5)))) + "');"),
+               kGpkg);
+  ASSERT_EQ(shapes.size(), 2u);
+  EXPECT_EQ(shapes[0].name, "towns/1");
+  EXPECT_EQ(shapes[1].name, "towns/2");
+  EXPECT_EQ(shapes[1].data, triangle(5));
+}
+
+TEST(Gpkg, marks_in_the_names_of_layers_select_none) {
+  const Folder folder("gpkg");
+  const std::string path = folder / "map#1.gpkg";
+  save(path, database(kTables + layer("no #1") + row("no #1", 3, triangle(0)) + layer("#") + row("#", 1, triangle(5)) +
+                      layer("#/#") + row("#/#", 2, triangle(7))));
+  EXPECT_EQ(read_region_data(path + "#no #1").value(), triangle(0));
+  EXPECT_EQ(read_region_data(path + "#no #1/3").value(), triangle(0));
+  EXPECT_EQ(read_region_data(path + "##").value(), triangle(5));
+  EXPECT_EQ(read_region_data(path + "##/1").value(), triangle(5));
+  EXPECT_EQ(read_region_data(path + "##/#").value(), triangle(7));
+  EXPECT_EQ(read_region_data(path + "##/#/2").value(), triangle(7));
+}
+
 TEST(Gpkg, names_of_tables_are_never_statements) {
   for (const std::string name : {"two words", "semi;colon", "quo\"te", "SELECT", "x\" UNION SELECT 1, x'00' --", "a/b",
                                  "\xC3\xB6sterreich", "[brackets]", "%s"}) {
