@@ -83,10 +83,10 @@ class EditableSolidSum {
   EditableSolidSum& operator=(EditableSolidSum&&) noexcept;
   ~EditableSolidSum();
 
-  /// Makes all edits, one after the other, as one step. On an error nothing changes: out_of_range for what there is
-  /// not, faces that are not connected, an edge of invert with a face that is no triangle, a vertex around which
-  /// nothing can be filled; those of Mesh::create, with its evidence in the indices of the mesh that the edits would
-  /// make; those of minkowski_sum.
+  /// Makes all edits, one after the other, as one step; none are no step. On an error nothing changes: out_of_range for
+  /// what there is not, faces that are not connected, an edge of invert with a face that is no triangle, a vertex
+  /// around which nothing can be filled; those of Mesh::create, with its evidence in the indices of the mesh that the
+  /// edits would make; those of minkowski_sum.
   Result<SolidEditWork> edit(std::span<const SolidEdit> edits);
   Result<SolidEditWork> edit(const SolidEdit& one) { return edit(std::span<const SolidEdit>(&one, 1)); }
   /// Back to the state before the last step that was not undone, and forward again. Error out_of_range where there is

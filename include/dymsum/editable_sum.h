@@ -91,10 +91,10 @@ class EditableSum {
   EditableSum& operator=(EditableSum&&) noexcept;
   ~EditableSum();
 
-  /// Makes all edits, one after the other, as one step. On an error nothing changes: out_of_range for a vertex, part or
-  /// hole that there is not, or a vertex that its ring needs; those of Region::create, with its evidence in the indices
-  /// of the region that the edits would make; cancelled. Cost: O(n + m) for n and m vertices, and what the segments
-  /// of the edges that change meet. Reports what became of the rings.
+  /// Makes all edits, one after the other, as one step; none are no step. On an error nothing changes: out_of_range for
+  /// a vertex, part or hole that there is not, or the last vertex of a ring; those of Region::create, with its evidence
+  /// in the indices of the region that the edits would make; cancelled. Cost: O(n + m) for n and m vertices, and what
+  /// the segments of the edges that change meet. Reports what became of the rings.
   Result<FrameChanges> edit(std::span<const Edit> edits);
   Result<FrameChanges> edit(const Edit& one) { return edit(std::span<const Edit>(&one, 1)); }
   /// Back to the state before the last step that was not undone, and forward again. Error out_of_range where there is

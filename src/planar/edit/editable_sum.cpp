@@ -108,6 +108,7 @@ class EditableSum::State {
   }
 
   Result<FrameChanges> edit(std::span<const Edit> edits) {
+    if (edits.empty()) return timed([&] { return go(operands_, {}); });  // no step: what was undone can be made again
     return timed([&]() -> Result<FrameChanges> {
       Result<MadeStep> step = make(edits);
       if (!step) return step.error();

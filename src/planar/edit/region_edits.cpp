@@ -41,10 +41,14 @@ ChainPosition find_vertex(RegionData& data, std::uint32_t vertex) {
   return found;
 }
 
+Error on_no_ring(std::uint32_t vertex) {
+  return out_of_range("vertex " + text(vertex) + " is a point or on a polyline, and can only be moved");
+}
+
 Result<ChainPosition> ring_vertex(RegionData& data, std::uint32_t vertex) {
   const ChainPosition at = find_vertex(data, vertex);
   if (at.chain == nullptr) return out_of_range("there is no vertex " + text(vertex));
-  if (!at.ring) return out_of_range("vertex " + text(vertex) + " is on no ring");
+  if (!at.ring) return on_no_ring(vertex);
   return at;
 }
 
@@ -140,11 +144,12 @@ Result<void> edit_vertex(const Edit& edit, EditedData& edited) {
     chain[at.at] = edit.at;
     return {};
   }
-  if (!at.ring) return out_of_range("vertex " + text(edit.vertex) + " is on no ring");
+  if (!at.ring) return on_no_ring(edit.vertex);
   if (edit.kind == EditKind::insert) {
     insert_vertices(edited, at, at.at + 1, edit.at);
   } else if (edit.kind == EditKind::remove) {
-    if (chain.size() <= 3) return out_of_range("the ring of vertex " + text(edit.vertex) + " has no vertex to spare");
+    // An edit after this one may bring a vertex to a ring that has too few now, but to one that is there.
+    if (chain.size() == 1) return out_of_range("the ring of vertex " + text(edit.vertex) + " has no vertex to spare");
     chain.erase(chain.begin() + static_cast<std::ptrdiff_t>(at.at));
     edited.changes.origins.erase(edited.changes.origins.begin() + edit.vertex);
   } else {

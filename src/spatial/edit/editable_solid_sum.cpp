@@ -121,6 +121,7 @@ class EditableSolidSum::State {
   }
 
   Result<SolidEditWork> edit(std::span<const SolidEdit> edits) {
+    if (edits.empty()) return timed([&] { return computed(moment_); });  // no step: what was undone can be made again
     return timed([&]() -> Result<SolidMoment> {
       std::uint64_t next = next_name_;
       Result<SolidMoment> edited = make(edits, next);

@@ -1,7 +1,9 @@
 // Edits with known answers: undone, refused, far away, at a distance, degenerate.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numeric>
+#include <span>
 
 #include "dymsum/shapes.h"
 #include "planar/edit/edited_same.h"
@@ -131,6 +133,50 @@ TEST(EditCases, refused_edits_give_the_evidence_of_create_and_change_nothing) {
   const std::array both{Edit::move(kP, 0, p.parts()[0].outer[0]), Edit::move(kQ, 99, {0, 0})};
   EXPECT_FALSE(sum.edit(both).ok());
   EXPECT_EQ(sum.hash(), hash);
+}
+
+TEST(EditCases, a_step_without_edits_is_none) {
+  EditableSum sum = EditableSum::create(shapes::disc(9, 1), shapes::disc(5, 0.5), updates()).value();
+  ASSERT_TRUE(sum.edit(Edit::move(kQ, 0, {1.25, 0.25})).ok());
+  ASSERT_TRUE(sum.undo().ok());
+  const std::uint64_t hash = sum.hash();
+  ASSERT_TRUE(sum.edit(std::span<const Edit>()).ok());
+  EXPECT_EQ(sum.hash(), hash);
+  EXPECT_EQ(sum.undo_count(), 0u);
+  EXPECT_EQ(sum.redo_count(), 1u);
+  ASSERT_TRUE(sum.redo().ok());
+  EXPECT_EQ(compared(sum), "");
+}
+
+TEST(EditCases, a_triangle_may_lose_a_vertex_and_gain_another_in_one_step) {
+  EditableSum sum = EditableSum::create(region_of({{{0, 0}, {4, 0}, {0, 3}}}), shapes::disc(5, 0.5), updates()).value();
+  EXPECT_EQ(sum.edit(Edit::remove(kP, 1)).error().code, ErrorCode::too_few_vertices);
+  const std::array all{Edit::remove(kP, 2), Edit::remove(kP, 1), Edit::remove(kP, 0)};
+  EXPECT_EQ(sum.edit(all).error().code, ErrorCode::out_of_range);
+  const std::array other{Edit::remove(kP, 2), Edit::remove(kP, 1), Edit::insert(kP, 0, {5, 1}),
+                         Edit::insert(kP, 1, {1, 4})};
+  ASSERT_TRUE(sum.edit(other).ok());
+  EXPECT_EQ(sum.p().parts()[0].outer, (Ring{{0, 0}, {5, 1}, {1, 4}}));
+  EXPECT_EQ(compared(sum), "");
+  ASSERT_TRUE(sum.undo().ok());
+  EXPECT_EQ(compared(sum), "");
+}
+
+TEST(EditCases, vertices_of_polylines_and_points_are_only_moved) {
+  RegionData data;
+  data.polylines.push_back({{0, 0}, {1, 0}, {1, 1}});
+  data.points.push_back({3, 3});
+  EditableSum sum =
+      EditableSum::create(Region::create(std::move(data)).value(), shapes::disc(5, 0.5), updates()).value();
+  for (const Edit& edit : {Edit::insert(kP, 0, {0.5, 0.5}), Edit::remove(kP, 1), Edit::remove(kP, 3),
+                           Edit::invert(kP, 1), Edit::extrude(kP, 0, 1, {0, 1})}) {
+    const auto made = sum.edit(edit);
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().code, ErrorCode::out_of_range);
+    EXPECT_NE(made.error().message.find("is a point or on a polyline, and can only be moved"), std::string::npos);
+  }
+  ASSERT_TRUE(sum.edit(Edit::move(kP, 1, {2, 0})).ok());
+  EXPECT_EQ(compared(sum), "");
 }
 
 TEST(EditCases, an_edit_that_does_not_show_does_nothing_again) {

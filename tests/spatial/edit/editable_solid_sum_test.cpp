@@ -250,6 +250,17 @@ TEST(EditableSolidSum, what_is_refused_changes_nothing_and_has_its_evidence) {
   EXPECT_EQ(EditableSolidSum::create(sum.p(), thin).error().code, ErrorCode::unsupported_operand);
 }
 
+TEST(EditableSolidSum, a_step_without_edits_is_none) {
+  EditableSolidSum sum = boxes();
+  ASSERT_TRUE(sum.edit(SolidEdit::extrude(kP, {face_at_height(sum.p(), 1)}, {0, 0, 0.5})).ok());
+  ASSERT_TRUE(sum.undo().ok());
+  ASSERT_TRUE(sum.edit(std::span<const SolidEdit>()).ok());
+  EXPECT_EQ(sum.undo_count(), 0u);
+  EXPECT_EQ(sum.redo_count(), 1u);
+  ASSERT_TRUE(sum.redo().ok());
+  EXPECT_EQ(sum.sum().volume(), 3 * 3 * 3.5);
+}
+
 TEST(EditableSolidSum, a_cancelled_step_changes_nothing) {
   bool stop = false;
   SolidEditOptions options;
