@@ -1,11 +1,11 @@
 // Regions whose vertices are not known exactly: the hulls of neighbouring zones hold the boundary of every variant.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 
+#include "base/doubles.h"
 #include "dymsum/planar_boolean.h"
 #include "dymsum/uncertain.h"
 #include "exact/orient.h"
@@ -144,9 +144,9 @@ double sum_outwards(double a, double b) {
 /// The double that is so many doubles away; doubles in order are these integers in order, both zeros being 0.
 double steps_from(double v, std::int64_t steps) {
   constexpr std::int64_t kSign = std::numeric_limits<std::int64_t>::min();
-  const auto bits = std::bit_cast<std::int64_t>(v);
+  const auto bits = base::bit_cast<std::int64_t>(v);
   const std::int64_t at = (bits < 0 ? kSign - bits : bits) + steps;
-  return std::bit_cast<double>(at < 0 ? kSign - at : at);
+  return base::bit_cast<double>(at < 0 ? kSign - at : at);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/doubles.h"
 #include "exact/big.h"
 #include "exact/grid.h"
 
@@ -153,7 +154,7 @@ std::vector<std::uint32_t> first_at_position(const std::vector<Point3>& points) 
     std::uint64_t mixed = 0;
     // 0 and -0 are one position.
     for (const double c : {points[k].x + 0.0, points[k].y + 0.0, points[k].z + 0.0}) {
-      mixed = (mixed ^ std::bit_cast<std::uint64_t>(c)) * 0x9e3779b97f4a7c15ULL;
+      mixed = (mixed ^ base::bit_cast<std::uint64_t>(c)) * 0x9e3779b97f4a7c15ULL;
       mixed ^= mixed >> 32;
     }
     std::size_t at = mixed & (slots.size() - 1);
