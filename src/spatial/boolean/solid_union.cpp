@@ -16,6 +16,7 @@
 #include "dymsum/solid_union.h"
 #include "spatial/arrangement/solid_arrangement.h"
 #include "spatial/boolean/cell_windings.h"
+#include "spatial/boolean/closed_sets.h"
 #include "spatial/boolean/far_faces.h"
 #include "spatial/boolean/surface.h"
 #include "spatial/convolution/stage_watch.h"
@@ -24,6 +25,7 @@
 #include "spatial/mesh/mesh_validate.h"
 #include "spatial/mesh/vec3.h"
 #include "spatial/sum/common_grid.h"
+#include "spatial/sum/exact_locator.h"
 #include "spatial/sum/solid_boundary.h"
 #include "spatial/sum/solid_faces.h"
 #include "spatial/sum/sum_source.h"
@@ -219,16 +221,62 @@ SolidBoundary boundary_inside(const Surface& surface, const SolidOperand& point,
   return result;
 }
 
-Result<SpatialSum> inside_of(const Surface& surface, InsideRule rule, const SpatialOptions& options) {
+/// What is closed with what is tight, and by which operation.
+struct ClosedResult {
+  SetOperation operation;
+  const ClosedOperands& operands;
+};
+
+/// Finds what is tight in a result whose regular part is there, and puts it together with it.
+SpatialSum with_tight(const ClosedResult& closed, SolidBoundary& boundary, const SolidOperand& point,
+                      const std::vector<SheetFace>& far, SpatialSum regular, StageWatch& watch) {
+  const auto assembled = [&] {
+    SpatialSum sum;
+    assemble(boundary, closed.operands.surface.operand, point, sum, watch, far);
+    return sum;
+  };
+  watch.begin("tight features");
+  boundary.tight = tight_of(closed.operation, closed.operands, boundary, regular, watch);
+  TightFeatures& tight = boundary.tight;
+  SpatialSum sum = std::move(regular);
+  if (!tight.cells.empty() || !tight.segments.empty() || !tight.points.empty()) sum = assembled();
+  if (!tight.cells.empty() && !tight.points.empty()) {  // facets may touch the inside of a tight face at a point
+    const ExactLocator locator(sum);
+    const auto held = [&](PointId p) {
+      ExactPosition at;
+      for (int axis = 0; axis < 3; ++axis)
+        at[axis] = boundary.space->world_coordinate(boundary.arrangement->points.source(p), axis);
+      return locator.on_tight_face(at);
+    };
+    if (std::erase_if(tight.points, held) > 0) sum = assembled();
+  }
+  if (!has_thin_lines(closed.operands)) return sum;
+  const SpatialSum others = std::move(sum);
+  tight.segments.clear(), tight.points.clear();
+  sum = assembled();
+  add_thin_lines(closed.operation, closed.operands, others, sum);
+  return sum;
+}
+
+Result<SpatialSum> inside_of(const Surface& surface, InsideRule rule, const SpatialOptions& options,
+                             const ClosedResult* closed = nullptr) {
   SpatialSum sum;
-  if (surface.operand.triangles.empty()) return sum;
+  if (surface.operand.triangles.empty()) {
+    if (closed) add_thin_lines(closed->operation, closed->operands, SpatialSum(), sum);
+    return sum;
+  }
   const SolidOperand point = point_operand(surface.operand);
   try {
     StageWatch watch(options, sum.stats);
     std::vector<SheetFace> far;
     SolidBoundary boundary = boundary_inside(surface, point, rule, options, far, sum.stats, watch);
     watch.begin("faces");
-    assemble(boundary, surface.operand, point, sum, watch, std::move(far));
+    assemble(boundary, surface.operand, point, sum, watch, far);
+    if (closed) {
+      const SpatialStats stats = sum.stats;
+      sum = with_tight(*closed, boundary, point, far, std::move(sum), watch);
+      sum.stats = stats;
+    }
     watch.begin("");
   } catch (const std::invalid_argument&) {
     if (std::optional<Error> error = grid_error(surface.operand.vertices, point.vertices)) return *std::move(error);
@@ -259,10 +307,8 @@ Result<SpatialSum> solid_inside(std::span<const DirectedSolid> solids, InsideRul
   return inside_of(surface_of(solids), rule, options);
 }
 
-Result<SpatialSum> solid_inside(const ExactSet& data, InsideRule rule, const SpatialOptions& options) {
-  const ExactSet* const sets[]{&data};
-  const CommonGrid grid = common_grid(sets);
-  Result<SpatialSum> inside = inside_of(surface_of(grid, data), rule, options);
+/// From units of a grid to those of the operands.
+Result<SpatialSum> unscaled(Result<SpatialSum> inside, const CommonGrid& grid) {
   if (!inside) {
     Error error = inside.error();
     const double by = exact::round_to_double(grid.scale, exact::BigInteger(1) << grid.shift());
@@ -275,25 +321,30 @@ Result<SpatialSum> solid_inside(const ExactSet& data, InsideRule rule, const Spa
   return made;
 }
 
+Result<SpatialSum> solid_inside(const ExactSet& data, InsideRule rule, const SpatialOptions& options) {
+  const ExactSet* const sets[]{&data};
+  const CommonGrid grid = common_grid(sets);
+  return unscaled(inside_of(surface_of(grid, data), rule, options), grid);
+}
+
+/// With what is tight: in the closed result and not in the open one.
+Result<SpatialSum> closed_result(SetOperation operation, std::span<const OperandSet> sets, InsideRule rule,
+                                 const SpatialOptions& options) {
+  CommonGrid grid;
+  const std::size_t first_taken = operation == SetOperation::difference ? 1 : sets.size();
+  const ClosedOperands operands = closed_operands(sets, first_taken, grid);
+  const ClosedResult closed{operation, operands};
+  Result<SpatialSum> made = inside_of(operands.surface, rule, options, &closed);
+  if (operands.surface.operand.exact.empty()) return made;
+  return unscaled(std::move(made), grid);
+}
+
 }  // namespace dymsum::spatial
 
 namespace dymsum {
 namespace {
 
 using spatial::InsideRule;
-
-/// Some solids, those from `first_taken` on inside out.
-std::vector<spatial::DirectedSolid> directed(std::span<const Mesh> solids, std::size_t first_taken) {
-  std::vector<spatial::DirectedSolid> result;
-  for (std::size_t k = 0; k < solids.size(); ++k) result.push_back({&solids[k], k >= first_taken});
-  return result;
-}
-
-Result<SpatialSum> of_two(const Mesh& a, const Mesh& b, bool b_inside_out, InsideRule rule,
-                          const SpatialOptions& options) {
-  const spatial::DirectedSolid both[]{{&a, false}, {&b, b_inside_out}};
-  return spatial::solid_inside(both, rule, options);
-}
 
 InsideRule rule_of(Fill fill) {
   switch (fill) {
@@ -313,39 +364,27 @@ Result<SpatialSum> united(const MeshData& surface, Fill fill, const SpatialOptio
   return spatial::solid_inside(surface, rule_of(fill), options);
 }
 
-Result<SpatialSum> united(std::span<const Mesh> solids, const SpatialOptions& options) {
-  return spatial::solid_inside(directed(solids, solids.size()), {}, options);
-}
-
-Result<SpatialSum> intersection(const Mesh& a, const Mesh& b, const SpatialOptions& options) {
-  return of_two(a, b, false, {2, false, false}, options);
-}
-
-Result<SpatialSum> intersection(std::span<const Mesh> solids, const SpatialOptions& options) {
-  if (solids.empty()) return Error{ErrorCode::out_of_range, "an intersection takes at least one solid, not 0", {}};
-  const spatial::InsideRule all{static_cast<int>(solids.size()), false, false};
-  return spatial::solid_inside(directed(solids, solids.size()), all, options);
-}
-
-Result<SpatialSum> difference(const Mesh& a, std::span<const Mesh> taken, const SpatialOptions& options) {
-  std::vector<spatial::DirectedSolid> all = directed(taken, 0);
-  all.insert(all.begin(), spatial::DirectedSolid{&a, false});
-  return spatial::solid_inside(all, {}, options);
-}
-
-Result<SpatialSum> difference(const Mesh& a, const Mesh& b, const SpatialOptions& options) {
-  return of_two(a, b, true, {}, options);
-}
-
-Result<SpatialSum> symmetric_difference(const Mesh& a, const Mesh& b, const SpatialOptions& options) {
-  return of_two(a, b, false, {1, true, true}, options);
-}
-
 namespace {
 
-/// By winding numbers, those from `first_taken` on inside out: of meshes where doubles hold all of them.
-Result<SpatialSum> by_winding(std::span<const SpatialOperand> sets, std::size_t first_taken, InsideRule rule,
-                              const SpatialOptions& options) {
+using spatial::SetOperation;
+
+/// The winding numbers that are inside of the result of so many sets, those that are taken away turned inside out.
+InsideRule rule_of(SetOperation operation, std::size_t sets) {
+  switch (operation) {
+    case SetOperation::intersection:
+      return {static_cast<int>(sets), false, false};
+    case SetOperation::symmetric_difference:
+      return {1, true, true};
+    default:
+      return {};
+  }
+}
+
+/// By winding numbers: of meshes where doubles hold all of them.
+Result<SpatialSum> regular_result(SetOperation operation, std::span<const SpatialOperand> sets,
+                                  const SpatialOptions& options) {
+  const std::size_t first_taken = operation == SetOperation::difference ? 1 : sets.size();
+  const InsideRule rule = rule_of(operation, sets.size());
   // Results as sets of their own; solids are taken as they are.
   std::vector<std::optional<spatial::OperandSet>> results(sets.size());
   std::vector<spatial::DirectedSolid> solids;
@@ -364,41 +403,72 @@ Result<SpatialSum> by_winding(std::span<const SpatialOperand> sets, std::size_t 
   return spatial::solid_inside(triangles, rule, options);
 }
 
-Result<SpatialSum> by_winding(const SpatialOperand& a, const SpatialOperand& b, std::size_t first_taken,
-                              InsideRule rule, const SpatialOptions& options) {
-  const SpatialOperand both[]{a, b};
-  return by_winding(both, first_taken, rule, options);
+Result<SpatialSum> result_of_sets(SetOperation operation, std::span<const SpatialOperand> sets,
+                                  const SpatialOptions& options) {
+  if (options.semantics == Semantics::regular || !options.tight) return regular_result(operation, sets, options);
+  std::vector<spatial::OperandSet> closed;
+  for (const SpatialOperand& set : sets) closed.emplace_back(set, Semantics::closed);
+  return spatial::closed_result(operation, closed, rule_of(operation, sets.size()), options);
 }
+
+std::vector<SpatialOperand> operands_of(std::span<const Mesh> solids) { return {solids.begin(), solids.end()}; }
 
 }  // namespace
 
 Result<SpatialSum> united(std::span<const SpatialOperand> sets, const SpatialOptions& options) {
-  return by_winding(sets, sets.size(), {}, options);
+  return result_of_sets(SetOperation::united, sets, options);
 }
 
 Result<SpatialSum> intersection(std::span<const SpatialOperand> sets, const SpatialOptions& options) {
   if (sets.empty()) return Error{ErrorCode::out_of_range, "an intersection takes at least one solid, not 0", {}};
-  return by_winding(sets, sets.size(), {static_cast<int>(sets.size()), false, false}, options);
+  return result_of_sets(SetOperation::intersection, sets, options);
 }
 
 Result<SpatialSum> difference(const SpatialOperand& a, std::span<const SpatialOperand> taken,
                               const SpatialOptions& options) {
   std::vector<SpatialOperand> all{a};
   all.insert(all.end(), taken.begin(), taken.end());
-  return by_winding(all, 1, {}, options);
+  return result_of_sets(SetOperation::difference, all, options);
 }
 
 Result<SpatialSum> intersection(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options) {
-  return by_winding(a, b, 2, {2, false, false}, options);
+  const SpatialOperand both[]{a, b};
+  return result_of_sets(SetOperation::intersection, both, options);
 }
 
 Result<SpatialSum> difference(const SpatialOperand& a, const SpatialOperand& b, const SpatialOptions& options) {
-  return by_winding(a, b, 1, {}, options);
+  const SpatialOperand both[]{a, b};
+  return result_of_sets(SetOperation::difference, both, options);
 }
 
 Result<SpatialSum> symmetric_difference(const SpatialOperand& a, const SpatialOperand& b,
                                         const SpatialOptions& options) {
-  return by_winding(a, b, 2, {1, true, true}, options);
+  const SpatialOperand both[]{a, b};
+  return result_of_sets(SetOperation::symmetric_difference, both, options);
+}
+
+Result<SpatialSum> united(std::span<const Mesh> solids, const SpatialOptions& options) {
+  return united(std::span<const SpatialOperand>(operands_of(solids)), options);
+}
+
+Result<SpatialSum> intersection(const Mesh& a, const Mesh& b, const SpatialOptions& options) {
+  return intersection(SpatialOperand(a), SpatialOperand(b), options);
+}
+
+Result<SpatialSum> intersection(std::span<const Mesh> solids, const SpatialOptions& options) {
+  return intersection(std::span<const SpatialOperand>(operands_of(solids)), options);
+}
+
+Result<SpatialSum> difference(const Mesh& a, std::span<const Mesh> taken, const SpatialOptions& options) {
+  return difference(SpatialOperand(a), std::span<const SpatialOperand>(operands_of(taken)), options);
+}
+
+Result<SpatialSum> difference(const Mesh& a, const Mesh& b, const SpatialOptions& options) {
+  return difference(SpatialOperand(a), SpatialOperand(b), options);
+}
+
+Result<SpatialSum> symmetric_difference(const Mesh& a, const Mesh& b, const SpatialOptions& options) {
+  return symmetric_difference(SpatialOperand(a), SpatialOperand(b), options);
 }
 
 }  // namespace dymsum

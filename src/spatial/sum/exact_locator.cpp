@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "spatial/sum/vertex_signs.h"
 
@@ -58,6 +59,15 @@ ExactPosition position_between(const ExactPosition& a, const ExactPosition& b, c
   return at;
 }
 
+bool lies_on_segment(const ExactPosition& a, const ExactPosition& b, const ExactPosition& x) {
+  if (a == b) return x == a;
+  const Vector along = difference(b, a), gap = difference(x, a);
+  for (const BigRational& c : cross_of(along, gap))
+    if (c.sign() != 0) return false;
+  const BigRational far = dot_of(along, gap);
+  return far.sign() >= 0 && far <= dot_of(along, along);
+}
+
 bool lies_on(const ExactPosition& x, const ExactTriangle& triangle) {
   const Vector n = normal_of(triangle);
   if (dot_of(n, difference(x, triangle[0])).sign() != 0) return false;
@@ -72,6 +82,15 @@ ExactLocator::ExactLocator(const SpatialSum& sum) {
   for (const Triangle& t : triangulated(sum).triangles) add(sum, t);
   first_tight_ = triangles_.size();
   for (const auto& t : sum.tight_triangles()) add(sum, t);
+  make_tree();
+}
+
+ExactLocator::ExactLocator(std::vector<ExactTriangle> triangles, std::size_t first_tight)
+    : triangles_(std::move(triangles)), first_tight_(first_tight) {
+  make_tree();
+}
+
+void ExactLocator::make_tree() {
   std::vector<Box> boxes;
   double largest = 0;
   for (const ExactTriangle& t : triangles_) {

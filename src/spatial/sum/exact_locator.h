@@ -20,6 +20,9 @@ using ExactTriangle = std::array<ExactPosition, 3>;
 int lexicographic_order(const ExactPosition& x, const ExactPosition& y);
 /// Whether x lies on the closed triangle. Requires one with area.
 bool lies_on(const ExactPosition& x, const ExactTriangle& triangle);
+/// Whether x lies on the closed segment, or is the point that both ends are. Requires ends in the order of positions,
+/// or any.
+bool lies_on_segment(const ExactPosition& a, const ExactPosition& b, const ExactPosition& x);
 /// a + t (b - a).
 ExactPosition position_between(const ExactPosition& a, const ExactPosition& b, const exact::BigRational& t);
 
@@ -27,6 +30,8 @@ class ExactLocator {
  public:
   /// O(n log n) for n triangles.
   explicit ExactLocator(const SpatialSum& sum);
+  /// Of closed surfaces, and of tight faces from triangle `first_tight` on. Requires triangles with area.
+  ExactLocator(std::vector<ExactTriangle> triangles, std::size_t first_tight);
 
   std::size_t boundary_triangles() const { return first_tight_; }
 
@@ -41,6 +46,7 @@ class ExactLocator {
 
  private:
   void add(const SpatialSum& sum, const std::array<std::uint32_t, 3>& triangle);
+  void make_tree();
   Box box_around(const ExactPosition& x) const;
 
   std::vector<ExactTriangle> triangles_;  // of faces, then of tight faces

@@ -19,16 +19,6 @@ SolidOperand operand_on(const CommonGrid& grid, const ExactSet& set) {
   return solid_operand(set.set, set.thin, vertices_on(grid, set), grid.unit());
 }
 
-bool in_doubles(const ExactSet& set) {
-  for (std::size_t v = 0; v < set.at.size(); ++v) {
-    const Point3& p = set.set.vertices[v];
-    if (exact::exact_value(p.x) != set.at[v][0] || exact::exact_value(p.y) != set.at[v][1] ||
-        exact::exact_value(p.z) != set.at[v][2])
-      return false;
-  }
-  return true;
-}
-
 /// Faces whose vertices are those of a list, some of which none of them has.
 ExactSet with_used_vertices(std::vector<Face> faces, std::vector<bool> thin, std::size_t count,
                             const std::function<ExactPosition(std::uint32_t)>& at,
@@ -104,6 +94,16 @@ std::vector<Face> outer_features(const SpatialSum& sum) {
 }
 
 }  // namespace
+
+bool in_doubles(const ExactSet& set) {
+  for (std::size_t v = 0; v < set.at.size(); ++v) {
+    const Point3& p = set.set.vertices[v];
+    if (exact::exact_value(p.x) != set.at[v][0] || exact::exact_value(p.y) != set.at[v][1] ||
+        exact::exact_value(p.z) != set.at[v][2])
+      return false;
+  }
+  return true;
+}
 
 ExactSet exact_set(MeshData set, std::vector<bool> thin) {
   ExactSet result{std::move(set), std::move(thin), {}};

@@ -33,6 +33,8 @@ ExactSet exact_set(const SpatialSum& sum);
 ExactSet closed_set(const SpatialSum& sum);
 /// Adds the triangles of a set without thin faces to those of another one, perhaps turned over.
 void append(ExactSet& all, const ExactSet& set, bool inside_out);
+/// Whether doubles hold all of its vertices.
+bool in_doubles(const ExactSet& set);
 /// A set without its thin faces.
 ExactSet regular_part(ExactSet set);
 

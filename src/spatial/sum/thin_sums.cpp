@@ -18,12 +18,6 @@ namespace {
 using exact::BigInteger;
 using exact::BigRational;
 
-/// A segment, or a point where both ends are one, and what touches there.
-struct ThinSum {
-  ExactPosition from, to;  ///< in the order of positions
-  SolidContact contact;
-};
-
 bool is_before(const ExactPosition& a, const ExactPosition& b) { return lexicographic_order(a, b) < 0; }
 
 /// Whether x lies on the line through two positions.
@@ -84,11 +78,44 @@ class SumsOfLines {
 /// The parts of them that nothing else of the sum holds.
 class Remainder {
  public:
-  Remainder(const SpatialSum& sum, std::vector<ThinSum> sums) : locator_(sum), sums_(std::move(sums)) {
-    for (const ThinSum& s : sums_) s.from == s.to ? add_point(s) : add_segment(s);
+  Remainder(const SpatialSum& sum, const std::vector<ThinSum>& sums) : locator_(sum) {
+    for (const ThinSum& s : sums) s.from == s.to ? add_point(s) : add_segment(s);
+  }
+
+  std::vector<std::array<ExactPosition, 2>> segments;
+  std::vector<ExactPosition> points;
+
+ private:
+  bool is_left(const ExactPosition& x) const {
+    return locator_.of(x) == ExactLocator::Where::outside && !locator_.on_tight_face(x);
+  }
+  void add_point(const ThinSum& s) {
+    if (is_left(s.from)) points.push_back(s.from);
+  }
+  void add_segment(const ThinSum& s) {
+    std::vector<BigRational> cuts = locator_.cuts(s.from, s.to);
+    cuts.insert(cuts.begin(), 0);
+    cuts.emplace_back(1);
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      if (!is_left(position_between(s.from, s.to, (cuts[k] + cuts[k + 1]) / 2))) continue;
+      segments.push_back({position_between(s.from, s.to, cuts[k]), position_between(s.from, s.to, cuts[k + 1])});
+    }
+  }
+
+  ExactLocator locator_;
+};
+
+/// Tight segments and points in canonical order: pieces of one line that touch or overlap are one, and points lie on
+/// none of them.
+class TightLines {
+ public:
+  TightLines(std::vector<ThinSum> sources, std::vector<std::array<ExactPosition, 2>> segments,
+             std::vector<ExactPosition> points)
+      : sources_(std::move(sources)), segments_(std::move(segments)), points_(std::move(points)) {
     join_segments();
     std::erase_if(points_, [&](const ExactPosition& x) {
-      return std::any_of(segments_.begin(), segments_.end(), [&](const auto& s) { return holds(s[0], s[1], x); });
+      return std::any_of(segments_.begin(), segments_.end(),
+                         [&](const auto& s) { return lies_on_segment(s[0], s[1], x); });
     });
     std::sort(points_.begin(), points_.end(), is_before);
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
@@ -100,9 +127,9 @@ class Remainder {
   /// What touches at a position, and on from there to another one.
   std::vector<SolidContact> contacts(const ExactPosition& at, const ExactPosition& to) const {
     std::vector<SolidContact> found;
-    for (const ThinSum& s : sums_) {
+    for (const ThinSum& s : sources_) {
       const bool goes_on = at == to || (on_line(at, to, s.from) && on_line(at, to, s.to) && is_before(at, s.to));
-      if (goes_on && holds(s.from, s.to, at)) found.push_back(s.contact);
+      if (goes_on && lies_on_segment(s.from, s.to, at)) found.push_back(s.contact);
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -110,29 +137,10 @@ class Remainder {
   }
 
  private:
-  static bool holds(const ExactPosition& from, const ExactPosition& to, const ExactPosition& x) {
-    return from == to ? x == from : on_line(from, to, x) && !is_before(x, from) && !is_before(to, x);
-  }
-  bool is_left(const ExactPosition& x) const {
-    return locator_.of(x) == ExactLocator::Where::outside && !locator_.on_tight_face(x);
-  }
-  void add_point(const ThinSum& s) {
-    if (is_left(s.from)) points_.push_back(s.from);
-  }
-  void add_segment(const ThinSum& s) {
-    std::vector<BigRational> cuts = locator_.cuts(s.from, s.to);
-    cuts.insert(cuts.begin(), 0);
-    cuts.emplace_back(1);
-    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-      if (!is_left(position_between(s.from, s.to, (cuts[k] + cuts[k + 1]) / 2))) continue;
-      segments_.push_back({position_between(s.from, s.to, cuts[k]), position_between(s.from, s.to, cuts[k + 1])});
-    }
-  }
   static bool by_ends(const std::array<ExactPosition, 2>& a, const std::array<ExactPosition, 2>& b) {
     const int order = lexicographic_order(a[0], b[0]);
     return order != 0 ? order < 0 : is_before(a[1], b[1]);
   }
-  /// Pieces of one line that touch or overlap become one.
   void join_segments() {
     std::sort(segments_.begin(), segments_.end(), by_ends);
     std::vector<std::array<ExactPosition, 2>> joined;
@@ -147,8 +155,7 @@ class Remainder {
     std::sort(segments_.begin(), segments_.end(), by_ends);
   }
 
-  ExactLocator locator_;
-  std::vector<ThinSum> sums_;
+  std::vector<ThinSum> sources_;
   std::vector<std::array<ExactPosition, 2>> segments_;
   std::vector<ExactPosition> points_;
 };
@@ -165,8 +172,8 @@ std::array<BigInteger, 4> over_one_denominator(const ExactPosition& at) {
 class WithVertices {
  public:
   WithVertices(SpatialSum& sum, const std::vector<ExactPosition>& added) : sum_(sum) {
-    const SpatialPositions& old = SpatialSumInternals::positions(sum);
-    for (std::size_t v = 0; v < sum.vertices.size(); ++v) all_.push_back({old.at(v), v});
+    for (std::size_t v = 0; v < sum.vertices.size(); ++v)  // an empty sum has no positions
+      all_.push_back({SpatialSumInternals::positions(sum).at(v), v});
     for (const ExactPosition& at : added) all_.push_back({at, kAdded});
     std::stable_sort(all_.begin(), all_.end(), [](const Entry& a, const Entry& b) { return is_before(a.at, b.at); });
     all_.erase(std::unique(all_.begin(), all_.end(), [](const Entry& a, const Entry& b) { return a.at == b.at; }),
@@ -222,22 +229,28 @@ class WithVertices {
 
 }  // namespace
 
+void add_tight_lines(SpatialSum& sum, std::vector<ThinSum> sources, std::vector<std::array<ExactPosition, 2>> segments,
+                     std::vector<ExactPosition> points) {
+  if (segments.empty() && points.empty()) return;
+  const TightLines lines(std::move(sources), std::move(segments), std::move(points));
+  std::vector<ExactPosition> ends = lines.points();
+  for (const auto& segment : lines.segments()) ends.insert(ends.end(), segment.begin(), segment.end());
+  const WithVertices named(sum, ends);
+  for (const auto& [from, to] : lines.segments()) {
+    sum.tight_segments.push_back({named.name(from), named.name(to)});
+    sum.tight_segment_contacts.push_back(lines.contacts(from, to));
+  }
+  for (const ExactPosition& at : lines.points()) {
+    sum.tight_points.push_back(named.name(at));
+    sum.tight_point_contacts.push_back(lines.contacts(at, at));
+  }
+}
+
 void add_thin_sums(SpatialSum& sum, const SumSpace& space, const SolidOperand& p, const SolidOperand& q) {
   std::vector<ThinSum> sums = SumsOfLines(space, p, q).run();
   if (sums.empty()) return;
-  const Remainder left(sum, std::move(sums));
-  if (left.segments().empty() && left.points().empty()) return;
-  std::vector<ExactPosition> ends = left.points();
-  for (const auto& segment : left.segments()) ends.insert(ends.end(), segment.begin(), segment.end());
-  const WithVertices named(sum, ends);
-  for (const auto& [from, to] : left.segments()) {
-    sum.tight_segments.push_back({named.name(from), named.name(to)});
-    sum.tight_segment_contacts.push_back(left.contacts(from, to));
-  }
-  for (const ExactPosition& at : left.points()) {
-    sum.tight_points.push_back(named.name(at));
-    sum.tight_point_contacts.push_back(left.contacts(at, at));
-  }
+  Remainder left(sum, sums);
+  add_tight_lines(sum, std::move(sums), std::move(left.segments), std::move(left.points));
 }
 
 }  // namespace dymsum::spatial
