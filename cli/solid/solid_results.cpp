@@ -64,7 +64,7 @@ void report_left_out(const std::vector<SolidInput>& inputs, bool quiet) {
   for (const SolidInput& input : inputs)
     if (!quiet && input.result && tight_features(*input.result) > 0)
       std::cerr << shown_file(input.file) << ": " << counted(tight_features(*input.result), "tight feature")
-                << " left out: an operand here is the solid\n";
+                << " left out: an operand here is the solid, without what is tight\n";
 }
 
 }  // namespace dymsum::cli

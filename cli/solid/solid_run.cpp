@@ -57,7 +57,7 @@ Error reported(Error error, const SolidRun& run) {
 }
 
 bool is_no(const SolidRun& run, const SpatialSum& sum) {
-  return run.empty_is_no && sum.faces.empty() && !is_tight(sum);
+  return run.empty_is_no && sum.faces.empty() && (run.of_open_sets || !is_tight(sum));
 }
 
 /// What the pages are to show: the result as it is written to .off; empty where there are none, or the answer is no.

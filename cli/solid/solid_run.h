@@ -20,6 +20,8 @@ struct SolidRun {
   std::string semantics = "closed";
   double memory_mb = 0;  ///< 0: no limit
   ResultPages pages = {};
+  /// Of Boolean operations of open sets what is tight is no part.
+  bool of_open_sets = false;
 };
 
 /// What it computes: the solid, and what the verb reports besides.

@@ -66,7 +66,6 @@ Result<SpatialSum> sum_of(const SumVerb& verb, const std::vector<SolidInput>& in
 
 ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   refuse_options(*command.parser, {"--round-repair"}, "is for planar operands");
-  if (verb.solids) refuse_options(*command.parser, {"--semantics"}, "of " + verb.name + " is for planar operands");
   if (command.engine == "winding")
     throw Stop(kUsage, "--engine winding is for planar operands; for solids there are fast and brute");
   const std::vector<std::string>& files = command.output.files;
@@ -81,12 +80,13 @@ ExitCode run_solid_sum(const SumVerb& verb, const SumCommand& command) {
   operands.insert(operands.end(), command.more.begin(), command.more.end());
   are_solid(operands, command.input);
   const std::vector<SolidInput> inputs = read_solids_and_results(operands, command.input);
-  if (verb.solids) report_left_out(inputs, command.input.quiet);
+  if (verb.solids && command.semantics == "regular") report_left_out(inputs, command.input.quiet);
   const auto convex = [](const SolidInput& input) { return input.result || !convexity_error(input.mesh); };
   if (verb.is_sum && inputs.size() == 2 && !std::all_of(inputs.begin(), inputs.end(), convex))
     announce_cost(inputs[0].mesh, inputs[1].mesh);
-  const SolidRun run{verb.name,        command.engine,    inputs,           command.report, files, how,
-                     verb.empty_is_no, command.semantics, command.memory_mb};
+  SolidRun run{verb.name,        command.engine,    inputs,           command.report, files, how,
+               verb.empty_is_no, command.semantics, command.memory_mb};
+  run.of_open_sets = verb.solids && command.semantics == "open";
   return run_solid(run, [&](const SpatialOptions& options) -> Result<SolidOutcome> {
     Result<SpatialSum> sum = sum_of(verb, inputs, options);
     if (!sum) return sum.error();

@@ -41,7 +41,7 @@ void add_intersect(CLI::App& app, Action& action) {
   SumVerb verb = boolean_verb("intersect", "∩");
   verb.description = "What lies in all of the operands, exactly; ends with 4 where that is nothing";
   verb.footer =
-      "With --semantics closed the result of regions that only touch has segments and points.\n"
+      "With --semantics closed what only touches counts: segments and points, of solids faces, too.\n"
       "Example: dymsum intersect sheet.wkt part.wkt --json";
   verb.planar = [](std::span<const PlanarOperand> sets, const SumOptions& options) {
     return intersection(sets, options);
@@ -58,7 +58,7 @@ void add_subtract(CLI::App& app, Action& action) {
   verb.description =
       "What lies in the first operand and in none of the others, exactly; ends with 4 where that is nothing";
   verb.footer =
-      "With --semantics closed what is taken away is open: lines and points that it leaves are listed, as tight.\n"
+      "With --semantics closed what is taken away is open: what it leaves without area or volume is listed.\n"
       "Example: dymsum subtract plate.wkt hole.wkt slot.wkt -o part.json -o part.svg";
   verb.planar = [](std::span<const PlanarOperand> sets, const SumOptions& options) -> Result<PlanarSum> {
     const Result<PlanarSum> taken = united(sets.subspan(1), options);

@@ -107,8 +107,8 @@ void add_sum_options(CLI::App& verb, SumCommand& command, const SumVerb& of) {
   one_of<Semantics>(
       verb.add_option(
           "--semantics", command.semantics,
-          of.boolean ? "Planar operands: regular: parts with area alone; closed: with segments and points at which "
-                       "operands only touch; open: of open sets; tight features are listed with both"
+          of.boolean ? "regular: parts with area or volume alone; closed: with what only touches, and what is tight in "
+                       "results; open: of open sets; tight features are listed with both"
                      : std::string(planar_result ? "Planar operands: " : "") +
                            "closed: sum of closed sets; open: touching is allowed; regular: no tight features"))
       ->capture_default_str();

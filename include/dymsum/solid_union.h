@@ -24,10 +24,15 @@ namespace dymsum {
 /// O(n log n + k + t log t) for n faces, k of their pairs that meet and t points where three of them do.
 Result<SpatialSum> united(const MeshData& surface, Fill fill = Fill::positive, const SpatialOptions& options = {});
 
-/// The union of any number of solids. Parts without volume are left out. Faces name those of the operands, in their
-/// order, counted on from operand to operand, and vertices likewise. Errors and cost as above.
+/// The union of any number of solids. Operands are closed sets, thin parts included, and what is taken away is open:
+/// what of that lies outside of the regular part of the result, as a face in which two solids touch, is listed as
+/// tight, and so is inside of it what the operation of open sets lacks (closed and open semantics, with options.tight).
+/// With regular semantics parts without volume are left out, of operands and of the result. Faces name those of the
+/// operands, in their order, counted on from operand to operand, and vertices likewise. Errors and cost as above; what
+/// is tight takes O(log n) rationals for every cell where operands touch, and O(k (k + n)) for k thin segments and
+/// points.
 Result<SpatialSum> united(std::span<const Mesh> solids, const SpatialOptions& options = {});
-/// What lies in both solids, in `a` alone, or in one of them alone; closed and regular, as a union.
+/// What lies in both solids, in `a` alone, or in one of them alone.
 Result<SpatialSum> intersection(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
 Result<SpatialSum> difference(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
 Result<SpatialSum> symmetric_difference(const Mesh& a, const Mesh& b, const SpatialOptions& options = {});
@@ -36,8 +41,7 @@ Result<SpatialSum> symmetric_difference(const Mesh& a, const Mesh& b, const Spat
 Result<SpatialSum> intersection(std::span<const Mesh> solids, const SpatialOptions& options = {});
 Result<SpatialSum> difference(const Mesh& a, std::span<const Mesh> taken, const SpatialOptions& options = {});
 
-/// The same of operands of either kind, unrounded: their regular parts. Of results triangles are named as faces,
-/// counted on likewise.
+/// The same of operands of either kind, unrounded. Of results triangles are named as faces, counted on likewise.
 Result<SpatialSum> united(std::span<const SpatialOperand> sets, const SpatialOptions& options = {});
 Result<SpatialSum> intersection(std::span<const SpatialOperand> sets, const SpatialOptions& options = {});
 Result<SpatialSum> difference(const SpatialOperand& a, std::span<const SpatialOperand> taken,

@@ -121,7 +121,9 @@ void bind_solid_union(nb::module_& m) {
   bind_fill(m);
   bind_unions(m);
   bind_by_planes(m);
-  bind_of_two<intersection>(m, "intersection", "What lies in both solids, exactly: closed and regular.");
+  bind_of_two<intersection>(
+      m, "intersection",
+      "What lies in both solids, exactly; with closed or open semantics what only touches is listed as tight.");
   m.def(
       "intersection",
       [](const SpatialOperands& solids, const SpatialOptions& options) {
