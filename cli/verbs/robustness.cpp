@@ -102,8 +102,7 @@ ExitCode run_robustness(const RobustnessCommand& command) {
   for (const std::string& file : command.files)
     write_text(file, robustness_picture(inputs[0].region, inputs[1].region, shown_at, found.robustness));
   if (command.report.json) {
-    Json json =
-        report_head("robustness", inputs_json(inputs), tier_of(inputs[0].region, inputs[1].region), timing);
+    Json json = report_head("robustness", inputs_json(inputs), tier_of(inputs[0].region, inputs[1].region), timing);
     json.update(found_json(command, found));
     print_report(json);
   } else {
@@ -117,10 +116,10 @@ ExitCode run_robustness(const RobustnessCommand& command) {
 
 void add_robustness(CLI::App& app, Action& action) {
   auto command = std::make_shared<RobustnessCommand>();
-  CLI::App& verb = *app.add_subcommand(
-      "robustness",
-      "By how much every point of two regions may be off before they overlap, or before a part no longer fits: exactly, "
-      "with the features that meet then");
+  CLI::App& verb = *app.add_subcommand("robustness",
+                                       "By how much every point of two regions may be off before they overlap, or "
+                                       "before a part no longer fits: exactly, "
+                                       "with the features that meet then");
   add_operands(verb, {"P", "A region, or the container"}, {"Q", "The one that is moved, or the part"},
                command->operands, OperandKind::planar);
   verb.add_option("--at", command->at,

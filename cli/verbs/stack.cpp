@@ -151,9 +151,8 @@ ExitCode run_stack(const StackCommand& command) {
   const auto [found, timing] = timed(command.report.repeat, [&] { return found_for(inputs, tolerances, at); });
   const RationalPoint shown_at = found.at.value_or(RationalPoint{});
   for (const std::string& file : command.files)
-    write_text(file, file.ends_with(".csv")
-                         ? stack_csv(found.stack)
-                         : stack_picture(inputs[0].region, inputs[1].region, shown_at, found.stack));
+    write_text(file, file.ends_with(".csv") ? stack_csv(found.stack)
+                                            : stack_picture(inputs[0].region, inputs[1].region, shown_at, found.stack));
   if (command.report.json) {
     Json json = report_head("stack", inputs_json(inputs), tier_of(inputs[0].region, inputs[1].region), timing);
     json.update(stack_json(found));
@@ -175,9 +174,10 @@ void add_stack(CLI::App& app, Action& action) {
       "tolerances leave, and what of it is the container's and the part's");
   add_operands(verb, {"CONTAINER", "The region around the part"}, {"PART", "The region in it"}, command->operands,
                OperandKind::planar);
-  verb.add_option("--at", command->at,
-                  "Where the part's reference point is, numbers or fractions 1/3; not given: the position with the most "
-                  "clearance")
+  verb.add_option(
+          "--at", command->at,
+          "Where the part's reference point is, numbers or fractions 1/3; not given: the position with the most "
+          "clearance")
       ->type_name("X,Y");
   verb.add_option("--tolerance", command->tolerance,
                   "Boundaries are off by +A outside to -B inside, each with its sign, or by A both ways; with a comma "
