@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "line_file.h"
 #include "numbers.h"
 #include "pictures/marked_drawing.h"
 #include "report.h"
@@ -39,10 +40,6 @@ std::array<T, 2> of_both(const std::string& text, const std::string& option, con
   if (values.size() != words.size() || words.size() > 2)
     throw Stop(kUsage, option + " wants " + wants + ", for both operands or for each of them, not '" + text + "'");
   return {values.front(), values.back()};
-}
-
-std::array<Tolerance, 2> read_tolerances(const std::string& text) {
-  return of_both<Tolerance>(text, "--tolerance", "+A/-B", tolerance_in);
 }
 
 std::array<std::int64_t, 2> read_fuzz(const std::string& text) {
@@ -90,6 +87,26 @@ std::string variant_text(std::uint32_t index, std::size_t operand, const Uncerta
 }
 
 }  // namespace
+
+std::array<Tolerance, 2> read_tolerances(const std::string& text) {
+  return of_both<Tolerance>(text, "--tolerance", "+A/-B", tolerance_in);
+}
+
+std::vector<Tolerance> read_tolerance_file(const std::string& file) {
+  std::vector<Tolerance> tolerances;
+  const bool any = for_each_line(file_text(file), [&](const std::string& text, std::int64_t line) {
+    const std::vector<std::string> words = words_of(text);
+    const std::optional<Tolerance> tolerance = words.size() == 1 ? tolerance_in(words[0]) : std::nullopt;
+    if (!tolerance)
+      refuse_line({ErrorCode::malformed, "a tolerance is +A/-B, each with its sign, or A both ways", {}}, file, line);
+    if (tolerance->lower > tolerance->upper)
+      refuse_line({ErrorCode::out_of_range, "the lower deviation is larger than the upper one: write +A/-B", {}}, file,
+                  line);
+    tolerances.push_back(*tolerance);
+  });
+  if (!any) refuse_line({ErrorCode::malformed, "the file holds no tolerances", {}}, file, std::nullopt);
+  return tolerances;
+}
 
 void add_uncertain_options(CLI::App& verb, UncertainOptions& options, const std::string& first,
                            const std::string& second) {

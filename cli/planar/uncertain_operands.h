@@ -1,6 +1,7 @@
 // Operands that are not known exactly: tolerances, rounding, and files of variants, as options say.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct UncertainOptions {
   std::vector<std::string> variants, first_variants;
   bool given() const { return !(tolerance.empty() && fuzz.empty() && variants.empty() && first_variants.empty()); }
 };
+
+/// What --tolerance says of both operands. Stops with wrong usage for what is no tolerance.
+std::array<Tolerance, 2> read_tolerances(const std::string& text);
+/// A file of tolerances, "+A/-B" or "A" on a line. Stops with bad input for others.
+std::vector<Tolerance> read_tolerance_file(const std::string& file);
 
 /// Declares --tolerance, --fuzz, --variants and --first-variants. `first` and `second` are the names of the operands.
 void add_uncertain_options(CLI::App& verb, UncertainOptions& options, const std::string& first,

@@ -43,6 +43,19 @@ Json way_json(const PlanarWay& way) {
           {"direction", xy(way.direction)}};
 }
 
+template <class Way>
+Json json_of_ways(const std::vector<Way>& all) {
+  Json ways = Json::array();
+  for (const Way& way : all) {
+    Json one = way_json(way);
+    Json contacts = Json::array();
+    for (const auto& contact : way.contacts) contacts.push_back(contact_json(contact));
+    one["contacts"] = std::move(contacts);
+    ways.push_back(std::move(one));
+  }
+  return ways;
+}
+
 template <class Distance>
 Json distance_json(const Distance& d) {
   const bool inside = d.meeting == Meeting::overlapping;
@@ -50,14 +63,7 @@ Json distance_json(const Distance& d) {
       {"meeting", name(d.meeting)},       {"inside", inside},
       {"depth", inside ? d.distance : 0}, {"depth_squared_exact", (inside ? d.squared : Rational()).to_string()},
       {"distance", d.distance},           {"distance_squared_exact", d.squared.to_string()}};
-  Json ways = Json::array();
-  for (const auto& way : d.ways) {
-    Json one = way_json(way);
-    Json contacts = Json::array();
-    for (const auto& contact : way.contacts) contacts.push_back(contact_json(contact));
-    one["contacts"] = std::move(contacts);
-    ways.push_back(std::move(one));
-  }
+  Json ways = json_of_ways(d.ways);
   if (!ways.empty()) {
     json["direction"] = ways[0]["direction"];
     if (const Json& contacts = ways[0]["contacts"]; !contacts.empty())
@@ -93,6 +99,15 @@ std::string contacts_text(const Json& contacts, const std::string& p, const std:
   return out.str();
 }
 
+std::string text_of_ways(const Json& ways, const std::string& p, const std::string& q) {
+  std::ostringstream out;
+  for (const Json& way : ways) {
+    out << "  along (" << numbers_text(way["direction"]) << ")";
+    out << contacts_text(way["contacts"], p, q) << "\n";
+  }
+  return out.str();
+}
+
 template <class Distance>
 std::string distance_text(const Distance& d, const std::string& p, const std::string& q) {
   std::ostringstream out;
@@ -100,11 +115,7 @@ std::string distance_text(const Distance& d, const std::string& p, const std::st
   const bool inside = d.meeting == Meeting::overlapping;
   if (inside) out << "depth " << d.distance << ": moving " << q << " by that separates them\n";
   else out << "the interiors do not meet: " << q << " is " << d.distance << " away\n";
-  const Json json = distance_json(d);
-  for (const Json& way : json["ways"]) {
-    out << "  along (" << numbers_text(way["direction"]) << ")";
-    out << contacts_text(way["contacts"], p, q) << "\n";
-  }
+  out << text_of_ways(json_of_ways(d.ways), p, q);
   out << "  " << (inside ? "depth" : "distance") << " squared is exactly " << shown(d.squared) << "\n";
   return out.str();
 }
@@ -116,6 +127,10 @@ Json depth_json(const SolidDistance& d) {
   Json json = {{"meeting", name(d.meeting)}, {"complete", false}, {"at_least", d.at_least}, {"at_most", d.distance}};
   if (!(d.distance < std::numeric_limits<double>::infinity())) json["at_most"] = nullptr;
   return json;
+}
+Json ways_json(const std::vector<PlanarWay>& ways) { return json_of_ways(ways); }
+std::string ways_text(const std::vector<PlanarWay>& ways, const std::string& p, const std::string& q) {
+  return text_of_ways(json_of_ways(ways), p, q);
 }
 Json depth_json(const PlanarDistance& d) { return distance_json(d); }
 Json depth_json(const ConvexDepth& depth) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "dymsum/convex_sum.h"
 #include "dymsum/penetration_depth.h"
@@ -15,6 +16,11 @@ Json depth_json(const SolidDistance& distance);
 Json depth_json(const PlanarDistance& distance);
 /// The same for a convex pair that turns.
 Json depth_json(const ConvexDepth& depth);
+
+/// All shortest moves, with their contacts.
+Json ways_json(const std::vector<PlanarWay>& ways);
+/// A line for each of them: its direction, and the features of `p` and `q`, two files, that touch then.
+std::string ways_text(const std::vector<PlanarWay>& ways, const std::string& p, const std::string& q);
 
 /// The distance in words; `q` is the file that moves.
 std::string depth_text(const SolidDistance& distance, const std::string& p, const std::string& q);

@@ -31,6 +31,8 @@ void add_clearance(CLI::App& app, Action& action);
 void add_angles(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
 void add_depth(CLI::App& app, Action& action);
+void add_robustness(CLI::App& app, Action& action);
+void add_stack(CLI::App& app, Action& action);
 void add_local_sum(CLI::App& app, Action& action);
 void add_contains(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);

@@ -89,6 +89,7 @@ class OptionTable : public testing::TestWithParam<Section> {
              {"copies.txt", "1 0 0\n3/2 9 0\n"},
              {"poses.txt", "1,6,0\n1,9,0\n"},
              {"places.txt", "3,3\n"},
+             {"tolerances.txt", "+0.25/0\n0.125  # the narrow side\n0\n+0.5/-0.25\n"},
              {"moves.txt", "0.25,0,0\n9,9,9\n"},
              {"heights.txt", "1/3,9,9\n"},
              {"edits.txt", "q move 0 0.125 0\nundo\n"},
@@ -101,7 +102,7 @@ class OptionTable : public testing::TestWithParam<Section> {
     const Outcome outcome = work.run("DYMSUM_VIEWER=viewer.html " + command + " < peg.wkt");
     std::string seen = outcome.out + outcome.err;
     for (const char* file : {"out.wkt", "out.svg", "out.off", "out.json", "out.html", "out.glb", "out.poly",
-                             "out.obstacle", "out.family", "out.jsonl", "out.wkb", "more.svg", "more.json"})
+                             "out.obstacle", "out.family", "out.jsonl", "out.wkb", "out.csv", "more.svg", "more.json"})
       if (work.exists(file)) seen += file + work.read(file);
     return {outcome, without_times(seen)};
   }
