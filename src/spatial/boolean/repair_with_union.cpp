@@ -166,10 +166,12 @@ Result<Mesh> tetrahedra(std::span<const Wall> walls, double side) {
 /// Whether walls lie in the solid: whether tetrahedra over all of them do, on one of the two sides, or, where there are
 /// few, over each of them. (One that touches the solid's boundary from both sides is taken as outside.)
 Result<bool> holds(const Mesh& solid, std::span<const Wall> walls, const SpatialOptions& options) {
+  SpatialOptions regular = options;
+  regular.semantics = Semantics::regular;
   for (const double side : {1.0, -1.0}) {
     const Result<Mesh> over = tetrahedra(walls, side);
     if (!over) continue;
-    const Result<SpatialSum> outside = difference(*over, solid, options);
+    const Result<SpatialSum> outside = difference(*over, solid, regular);
     if (!outside) return outside.error();
     if (outside->faces.empty()) return true;
   }
