@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <stdexcept>
 
 #include "dymsum/mesh_io.h"
 #include "dymsum/solids.h"
@@ -326,7 +327,9 @@ std::vector<SolidPair> with_coordinates(std::vector<SolidPair> pairs, Kind kind,
 }
 
 const SolidPair& pair_named(const std::vector<SolidPair>& pairs, std::string_view name) {
-  return *std::find_if(pairs.begin(), pairs.end(), [&](const SolidPair& pair) { return pair.name == name; });
+  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const SolidPair& pair) { return pair.name == name; });
+  if (found == pairs.end()) throw std::invalid_argument("there is no pair " + std::string(name));
+  return *found;
 }
 
 }  // namespace dymsum::bench
