@@ -84,5 +84,6 @@
 #include "dymsum/trace.h"
 #include "dymsum/uncertain.h"
 #include "dymsum/uncertain_answers.h"
+#include "dymsum/uncertain_solid.h"
 #include "dymsum/version.h"
 #include "dymsum/volume_text.h"

@@ -54,5 +54,6 @@ void bind_set_check(nb::module_& m);
 void bind_growing_disc(nb::module_& m);
 void bind_shape_features(nb::module_& m);
 void bind_uncertain(nb::module_& m);
+void bind_uncertain_solid(nb::module_& m);
 
 }  // namespace dymsum::python

@@ -19,7 +19,7 @@ NB_MODULE(_core, m) {
                           bind_placement,      bind_growing_disc,     bind_shape_features, bind_depth,
                           bind_local_sum,      bind_continuous_depth, bind_scaling_solids, bind_planar_local_sum,
                           bind_turning_solids, bind_set_check,        bind_edited_sum,     bind_solid_families,
-                          bind_uncertain}) {
+                          bind_uncertain,      bind_uncertain_solid}) {
     part(m);
   }
 }

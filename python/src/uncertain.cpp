@@ -9,64 +9,15 @@
 #include "enumeration.h"
 #include "planar_operand.h"
 #include "record.h"
+#include "uncertain_argument.h"
 
 #include <array>
 #include <span>
-#include <stdexcept>
-
-namespace dymsum::python {
-
-/// An Uncertain, or a region that is known.
-struct UncertainArgument {
-  nb::object object;
-  Uncertain operator*() const {
-    if (nb::isinstance<Uncertain>(object)) return *nb::inst_ptr<Uncertain>(object);
-    return take(Uncertain::known(*nb::inst_ptr<Region>(object)));
-  }
-};
-
-}  // namespace dymsum::python
-
-namespace nanobind::detail {
-
-template <>
-struct type_caster<dymsum::python::UncertainArgument> {
-  using Value = dymsum::python::UncertainArgument;
-  static constexpr auto Name = const_name("dymsum.Uncertain | dymsum.RegionLike");
-  template <typename U>
-  using Cast = Value;
-  template <typename U>
-  bool can_cast() const {
-    return true;
-  }
-  bool from_python(handle src, uint32_t flags, cleanup_list* list) {
-    if (isinstance<dymsum::Uncertain>(src)) {
-      own_ = borrow(src);
-      return true;
-    }
-    return region_.from_python(src, flags, list);
-  }
-  explicit operator Value() {
-    if (own_.is_valid()) return {own_};
-    return {region_.operator dymsum::python::RegionArgument().object};
-  }
-
- private:
-  object own_;
-  argument_caster<dymsum::Region> region_;
-};
-
-}  // namespace nanobind::detail
 
 namespace dymsum::python {
 namespace {
 
 using namespace nb::literals;
-
-const RationalPoint& finite(const Position<2>& position) {
-  if (!position.exact) throw std::invalid_argument("the position is not finite");
-  return *position.exact;
-}
 
 template <class Make>
 Uncertain made(const Make& make) {

@@ -77,3 +77,41 @@ def test_robustness_has_its_witness() -> None:
     assert [(row.nominal, row.least, row.most) for row in rows] == [(1, 1, 1.75), (3, 3, 3.75), (4, 4, 4.75), (6, 6, 6.75)]
     with pytest.raises(ValueError):
         dymsum.robustness_of_free(unit, unit, (float("nan"), 0))
+
+
+def test_solids_have_pairs_and_three_valued_answers() -> None:
+    box = dymsum.solids.box
+    slot = box(0, 0, 0, 4, 4, 4)
+    pegs = dymsum.UncertainSolid.of_variants([box(0, 0, 0, 4, 1, 1), box(0, 0, 0, 4.5, 1, 1)])
+    assert pegs.inner.volume_exact() == 4 and pegs.outer.volume_exact() == Fraction(9, 2)
+    assert pegs.doubtful().volume_exact() == Fraction(1, 2) and len(pegs.variants) == 2
+    fit = dymsum.fits_anywhere(slot, pegs)
+    assert isinstance(fit, dymsum.UncertainSolidFit) and fit.answer.holds is Holds.for_some and fit.common is None
+    assert (fit.answer.yes.q, fit.answer.no.q) == (0, 1)
+    assert dymsum.fits_at(slot, pegs, (0, Fraction(1, 3), 0)).holds is Holds.for_some
+    assert dymsum.fits_at(slot, pegs, (1, 0, 0)).holds is Holds.for_none
+    assert dymsum.collides(slot, pegs, (4, 0, 0)).holds is Holds.for_none
+    assert dymsum.contains(slot, pegs, (8.25, 0, 0)).holds is Holds.for_some
+    bounds = dymsum.clearance(slot, pegs, (-4.75, 0, 0))
+    assert (bounds.least_signed(), bounds.most_signed()) == (0.25, 0.75)
+    total = dymsum.minkowski_sum(pegs, box(0, 0, 0, 1, 1, 1))
+    assert isinstance(total, dymsum.UncertainSolid)
+    assert total.inner.volume_exact() == 20 and total.outer.volume_exact() == 22
+    assert dymsum.difference(slot, pegs).inner.volume_exact() == 60
+    # A mesh of another package is taken, and a position that is not finite is refused.
+    with pytest.raises(ValueError, match="not finite"):
+        dymsum.collides(slot, pegs, (float("nan"), 0, 0))
+
+
+def test_solids_come_from_bands_boxes_and_rounding() -> None:
+    cube = dymsum.solids.box(0, 0, 0, 1, 1, 1)
+    band = dymsum.UncertainSolid.of_band(cube, Tolerance(0.25, -0.25), within=0.03125)
+    assert band.error == 0.03125 and band.inner.volume() < 1 < band.outer.volume()
+    zones = dymsum.UncertainSolid.of_boxes(cube, [(*v, *v) for v in cube.vertices])
+    assert zones.exact()
+    rounded = dymsum.UncertainSolid.of_rounding(cube)
+    assert not rounded.exact() and repr(rounded) == "UncertainSolid(between two sets)"
+    both = dymsum.UncertainSolid.between(band.inner, band.outer)
+    assert both.outer == band.outer
+    with pytest.raises(dymsum.Error, match="does not lie in"):
+        dymsum.UncertainSolid.between(dymsum.solids.box(5, 0, 0, 6, 1, 1), cube)

@@ -1,7 +1,5 @@
-// Questions whose answer changes in one direction only when an operand grows: the smallest and the largest variants
-// decide, and where there are finitely many all of them are looked at.
+// Questions about regions that are not known exactly.
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "dymsum/sum_locator.h"
 #include "dymsum/uncertain_answers.h"
 #include "exact/big.h"
+#include "uncertain/deciding.h"
 #include "uncertain/uncertain_internals.h"
 
 namespace dymsum {
@@ -19,66 +18,19 @@ namespace {
 using uncertain::inner_operand;
 using uncertain::outer_operand;
 
-/// A variant, or a set that stands for one.
-struct Candidate {
-  PlanarOperand set;
-  std::uint32_t index;
-};
+using uncertain::Question;
 
 /// All variants where there are finitely many, else the inner or outer set.
-std::vector<Candidate> candidates(const Uncertain& u, bool outer) {
-  std::vector<Candidate> all;
-  for (const Region& variant : u.variants()) all.push_back({variant, static_cast<std::uint32_t>(all.size())});
-  if (all.empty()) {
-    if (outer) all.push_back({u.outer(), VariantPair::kOuter});
-    else all.push_back({u.inner(), VariantPair::kInner});
-  }
-  return all;
-}
+auto candidates(const Uncertain& u, bool outer) { return uncertain::candidates<PlanarOperand>(u, outer); }
 
-using Question = std::function<Result<bool>(const PlanarOperand&, const PlanarOperand&)>;
-
-/// The first pairs, in the order of p, for which a question holds and for which it does not, as far as they are wanted.
-struct FirstPairs {
-  bool want_yes, want_no;
-  std::optional<VariantPair> yes, no;
-
-  Result<void> look(const std::vector<Candidate>& p, const std::vector<Candidate>& q, const Question& question) {
-    for (const Candidate& a : p)
-      for (const Candidate& b : q) {
-        if ((yes || !want_yes) && (no || !want_no)) return {};
-        const Result<bool> answer = question(a.set, b.set);
-        if (!answer) return answer.error();
-        std::optional<VariantPair>& first = *answer ? yes : no;
-        if (!first && (*answer ? want_yes : want_no)) first = VariantPair{a.index, b.index};
-      }
-    return {};
-  }
-};
-
-/// A question that holds for larger P where it holds for smaller ones, and likewise for Q; for smaller Q where the part
-/// `shrinks`. `hardest`: it holds for the pair of sets, which need not be variants, for which that is hardest.
 Result<UncertainAnswer> decide(const Uncertain& p, const Uncertain& q, bool shrinks, bool hardest,
-                               const Question& question) {
-  const auto easy_p = candidates(p, true), easy_q = candidates(q, !shrinks);
-  if (hardest) return UncertainAnswer{Holds::for_all, VariantPair{easy_p[0].index, easy_q[0].index}, std::nullopt};
-  const bool lists = !p.variants().empty() && !q.variants().empty();
-  FirstPairs pairs{true, lists, {}, {}};
-  if (const Result<void> looked = pairs.look(easy_p, easy_q, question); !looked) return looked.error();
-  if (!lists) {
-    FirstPairs hard{false, true, {}, {}};
-    if (const Result<void> looked = hard.look(candidates(p, false), candidates(q, shrinks), question); !looked)
-      return looked.error();
-    pairs.no = hard.no;
-  }
-  return UncertainAnswer{!pairs.no   ? Holds::for_all
-                         : pairs.yes ? Holds::for_some
-                                     : Holds::for_none,
-                         pairs.yes, pairs.no};
+                               const Question<PlanarOperand>& question) {
+  return uncertain::decide(p, q, shrinks, hardest, question);
 }
 
 /// The same of sums, which grow with both.
-Result<UncertainAnswer> decide_growing(const Uncertain& p, const Uncertain& q, const Question& question) {
+Result<UncertainAnswer> decide_growing(const Uncertain& p, const Uncertain& q,
+                                       const Question<PlanarOperand>& question) {
   const Result<bool> hardest = question(inner_operand(p), inner_operand(q));
   if (!hardest) return hardest.error();
   return decide(p, q, false, *hardest, question);
@@ -159,25 +111,6 @@ Result<UncertainFit> fits_anywhere(const Uncertain& container, const Uncertain& 
 
 namespace {
 
-/// How two sets lie, and how far from touching they are.
-struct Distance {
-  Meeting meeting = Meeting::apart;
-  exact::BigRational squared;
-  bool infinite = false;
-};
-
-/// a has less clearance than b: it is deeper, or not so far apart.
-bool is_less(const Distance& a, const Distance& b) {
-  const auto side = [](const Distance& d) {
-    return d.meeting == Meeting::overlapping ? -1 : d.meeting == Meeting::touching ? 0 : 1;
-  };
-  if (side(a) != side(b)) return side(a) < side(b);
-  if (a.infinite || b.infinite) return !a.infinite;
-  return side(a) < 0 ? a.squared > b.squared : a.squared < b.squared;
-}
-
-using PlanarPair = std::pair<PlanarOperand, PlanarOperand>;
-
 Result<PlanarDistance> distance_of(const PlanarOperand& p, const PlanarOperand& q, const RationalPoint& at) {
   if (const auto* a = std::get_if<const Region*>(&p.set()), *b = std::get_if<const Region*>(&q.set());
       a && b && !(*a)->empty() && !(*b)->empty()) {
@@ -204,23 +137,10 @@ Result<PlanarDistance> distance_of(const PlanarOperand& p, const PlanarOperand& 
   return distance;
 }
 
-Distance compared(const PlanarDistance& d) {
-  return {d.meeting, exact::exact_value(d.squared), std::isinf(d.distance)};
-}
-
-/// Of all pairs the least clearance, or the most; the first one of equal ones.
-Result<ClearanceBound> extreme(const std::vector<Candidate>& p, const std::vector<Candidate>& q,
-                               const RationalPoint& at, bool least) {
-  std::optional<ClearanceBound> best;
-  for (const Candidate& a : p)
-    for (const Candidate& b : q) {
-      Result<PlanarDistance> distance = distance_of(a.set, b.set, at);
-      if (!distance) return distance.error();
-      const bool better = !best || (least ? is_less(compared(*distance), compared(best->distance))
-                                          : is_less(compared(best->distance), compared(*distance)));
-      if (better) best = ClearanceBound{*std::move(distance), {a.index, b.index}};
-    }
-  return *std::move(best);
+Result<ClearanceBound> extreme(const Uncertain& p, const Uncertain& q, const RationalPoint& at, bool least) {
+  return uncertain::extreme<ClearanceBound>(
+      candidates(p, least), candidates(q, least), least,
+      [&](const PlanarOperand& a, const PlanarOperand& b) { return distance_of(a, b, at); });
 }
 
 bool has_thin_pieces(const Uncertain& u) { return !u.outer().segments.empty() || !u.outer().points.empty(); }
@@ -236,9 +156,9 @@ Result<UncertainClearance> clearance(const Uncertain& p, const Uncertain& q, con
   if (has_thin_pieces(p) && has_thin_pieces(q))
     return Error{
         ErrorCode::unsupported_operand, "both operands have parts without area: clearance wants one with area", {}};
-  Result<ClearanceBound> least = extreme(candidates(p, true), candidates(q, true), at, true);
+  Result<ClearanceBound> least = extreme(p, q, at, true);
   if (!least) return least.error();
-  Result<ClearanceBound> most = extreme(candidates(p, false), candidates(q, false), at, false);
+  Result<ClearanceBound> most = extreme(p, q, at, false);
   if (!most) return most.error();
   return UncertainClearance{*std::move(least), *std::move(most)};
 }

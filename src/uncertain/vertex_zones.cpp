@@ -10,6 +10,7 @@
 #include "dymsum/uncertain.h"
 #include "exact/orient.h"
 #include "uncertain/disc_polygons.h"
+#include "uncertain/steps_of_doubles.h"
 #include "uncertain/uncertain_internals.h"
 
 namespace dymsum {
@@ -134,21 +135,6 @@ std::optional<Error> count_error(std::size_t zones, std::size_t vertices, const 
                {}};
 }
 
-/// a + b rounded away from a, so that nothing between them is left out.
-double sum_outwards(double a, double b) {
-  const double s = a + b, of_b = s - a, rest = (a - (s - of_b)) + (b - of_b);  // a + b == s + rest
-  if (rest == 0 || (rest > 0) != (b > 0)) return s;
-  return std::nextafter(s, b > 0 ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity());
-}
-
-/// The double that is so many doubles away; doubles in order are these integers in order, both zeros being 0.
-double steps_from(double v, std::int64_t steps) {
-  constexpr std::int64_t kSign = std::numeric_limits<std::int64_t>::min();
-  const auto bits = base::bit_cast<std::int64_t>(v);
-  const std::int64_t at = (bits < 0 ? kSign - bits : bits) + steps;
-  return base::bit_cast<double>(at < 0 ? kSign - at : at);
-}
-
 }  // namespace
 
 Result<Uncertain> Uncertain::of_boxes(const Region& nominal, std::span<const std::array<double, 4>> boxes) {
@@ -178,7 +164,8 @@ Result<Uncertain> Uncertain::of_discs(const Region& nominal, std::span<const dou
     if (radii[k] == 0) continue;
     Zone zone;
     const Region disc = uncertain::polygon_around(radii[k], sides);
-    for (const Point& p : disc.parts()[0].outer) zone.push_back({sum_outwards(at.x, p.x), sum_outwards(at.y, p.y)});
+    for (const Point& p : disc.parts()[0].outer)
+      zone.push_back({uncertain::sum_outwards(at.x, p.x), uncertain::sum_outwards(at.y, p.y)});
     zones.back() = hull_of(std::move(zone));
     largest = std::max(
         largest, uncertain::polygon_error(radii[k], sides) + 0x1p-51 * (std::abs(at.x) + std::abs(at.y) + radii[k]));
@@ -192,7 +179,8 @@ Result<Uncertain> Uncertain::of_rounding(const Region& nominal, std::int64_t ulp
         ErrorCode::out_of_range, "units in the last place are from 0 to 2^40, not " + std::to_string(ulps), {}};
   std::vector<std::array<double, 4>> boxes;
   for (const Point& v : vertices_of(nominal)) {
-    boxes.push_back({steps_from(v.x, -ulps), steps_from(v.y, -ulps), steps_from(v.x, ulps), steps_from(v.y, ulps)});
+    boxes.push_back({uncertain::steps_from(v.x, -ulps), uncertain::steps_from(v.y, -ulps),
+                     uncertain::steps_from(v.x, ulps), uncertain::steps_from(v.y, ulps)});
     for (const double c : boxes.back())
       if (!std::isfinite(c)) return zone_error("a coordinate may be infinite", boxes.size() - 1);
   }
