@@ -57,9 +57,9 @@ void check_fit_pictures(const std::vector<std::string>& files) {
 std::string robustness_picture(const Region& p, const Region& q, const RationalPoint& at,
                                const Robustness& robustness) {
   MarkedDrawing drawing = drawing_of(p, q, rounded_position(at));
-  for (const PlanarWay& way : robustness.ways)
-    for (const PlanarTouch& touch : way.contacts) {
-      const Point to = rounded_position(touch.at), move = rounded_position(way.move);
+  for (const PlanarWay& one : robustness.ways)
+    for (const PlanarTouch& touch : one.contacts) {
+      const Point to = rounded_position(touch.at), move = rounded_position(one.move);
       const Point from{to.x - move.x, to.y - move.y};
       if (!(from == to)) drawing.join(from, to);
       drawing.mark(to, touch.dimension > 0);

@@ -32,28 +32,28 @@ Json contact_json(const Touch& c) {
   return json;
 }
 
-Json way_json(const SolidWay& way) {
-  return {{"move", {way.move.x.to_double(), way.move.y.to_double(), way.move.z.to_double()}},
-          {"move_exact", {way.move.x.to_string(), way.move.y.to_string(), way.move.z.to_string()}},
-          {"direction", xyz(way.direction)}};
+Json move_json(const SolidWay& move) {
+  return {{"move", {move.move.x.to_double(), move.move.y.to_double(), move.move.z.to_double()}},
+          {"move_exact", {move.move.x.to_string(), move.move.y.to_string(), move.move.z.to_string()}},
+          {"direction", xyz(move.direction)}};
 }
-Json way_json(const PlanarWay& way) {
-  return {{"move", {way.move.x.to_double(), way.move.y.to_double()}},
-          {"move_exact", {way.move.x.to_string(), way.move.y.to_string()}},
-          {"direction", xy(way.direction)}};
+Json move_json(const PlanarWay& move) {
+  return {{"move", {move.move.x.to_double(), move.move.y.to_double()}},
+          {"move_exact", {move.move.x.to_string(), move.move.y.to_string()}},
+          {"direction", xy(move.direction)}};
 }
 
-template <class Way>
-Json json_of_ways(const std::vector<Way>& all) {
-  Json ways = Json::array();
-  for (const Way& way : all) {
-    Json one = way_json(way);
+template <class Move>
+Json json_of_moves(const std::vector<Move>& all) {
+  Json moves = Json::array();
+  for (const Move& move : all) {
+    Json one = move_json(move);
     Json contacts = Json::array();
-    for (const auto& contact : way.contacts) contacts.push_back(contact_json(contact));
+    for (const auto& contact : move.contacts) contacts.push_back(contact_json(contact));
     one["contacts"] = std::move(contacts);
-    ways.push_back(std::move(one));
+    moves.push_back(std::move(one));
   }
-  return ways;
+  return moves;
 }
 
 template <class Distance>
@@ -63,13 +63,13 @@ Json distance_json(const Distance& d) {
       {"meeting", name(d.meeting)},       {"inside", inside},
       {"depth", inside ? d.distance : 0}, {"depth_squared_exact", (inside ? d.squared : Rational()).to_string()},
       {"distance", d.distance},           {"distance_squared_exact", d.squared.to_string()}};
-  Json ways = json_of_ways(d.ways);
-  if (!ways.empty()) {
-    json["direction"] = ways[0]["direction"];
-    if (const Json& contacts = ways[0]["contacts"]; !contacts.empty())
+  Json moves = json_of_moves(d.ways);
+  if (!moves.empty()) {
+    json["direction"] = moves[0]["direction"];
+    if (const Json& contacts = moves[0]["contacts"]; !contacts.empty())
       json["p"] = contacts[0]["p"], json["q"] = contacts[0]["q"];
   }
-  json["ways"] = std::move(ways);
+  json["ways"] = std::move(moves);
   return json;
 }
 
@@ -99,11 +99,11 @@ std::string contacts_text(const Json& contacts, const std::string& p, const std:
   return out.str();
 }
 
-std::string text_of_ways(const Json& ways, const std::string& p, const std::string& q) {
+std::string text_of_moves(const Json& moves, const std::string& p, const std::string& q) {
   std::ostringstream out;
-  for (const Json& way : ways) {
-    out << "  along (" << numbers_text(way["direction"]) << ")";
-    out << contacts_text(way["contacts"], p, q) << "\n";
+  for (const Json& move : moves) {
+    out << "  along (" << numbers_text(move["direction"]) << ")";
+    out << contacts_text(move["contacts"], p, q) << "\n";
   }
   return out.str();
 }
@@ -115,7 +115,7 @@ std::string distance_text(const Distance& d, const std::string& p, const std::st
   const bool inside = d.meeting == Meeting::overlapping;
   if (inside) out << "depth " << d.distance << ": moving " << q << " by that separates them\n";
   else out << "the interiors do not meet: " << q << " is " << d.distance << " away\n";
-  out << text_of_ways(json_of_ways(d.ways), p, q);
+  out << text_of_moves(json_of_moves(d.ways), p, q);
   out << "  " << (inside ? "depth" : "distance") << " squared is exactly " << shown(d.squared) << "\n";
   return out.str();
 }
@@ -128,9 +128,9 @@ Json depth_json(const SolidDistance& d) {
   if (!(d.distance < std::numeric_limits<double>::infinity())) json["at_most"] = nullptr;
   return json;
 }
-Json ways_json(const std::vector<PlanarWay>& ways) { return json_of_ways(ways); }
-std::string ways_text(const std::vector<PlanarWay>& ways, const std::string& p, const std::string& q) {
-  return text_of_ways(json_of_ways(ways), p, q);
+Json moves_json(const std::vector<PlanarWay>& moves) { return json_of_moves(moves); }
+std::string moves_text(const std::vector<PlanarWay>& moves, const std::string& p, const std::string& q) {
+  return text_of_moves(json_of_moves(moves), p, q);
 }
 Json depth_json(const PlanarDistance& d) { return distance_json(d); }
 Json depth_json(const ConvexDepth& depth) {

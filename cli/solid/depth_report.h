@@ -18,9 +18,9 @@ Json depth_json(const PlanarDistance& distance);
 Json depth_json(const ConvexDepth& depth);
 
 /// All shortest moves, with their contacts.
-Json ways_json(const std::vector<PlanarWay>& ways);
+Json moves_json(const std::vector<PlanarWay>& moves);
 /// A line for each of them: its direction, and the features of `p` and `q`, two files, that touch then.
-std::string ways_text(const std::vector<PlanarWay>& ways, const std::string& p, const std::string& q);
+std::string moves_text(const std::vector<PlanarWay>& moves, const std::string& p, const std::string& q);
 
 /// The distance in words; `q` is the file that moves.
 std::string depth_text(const SolidDistance& distance, const std::string& p, const std::string& q);

@@ -58,7 +58,7 @@ Json found_json(const RobustnessCommand& command, const Found& found) {
   json["radius"] = number_json(robustness.radius);
   json["squared_exact"] = std::isinf(robustness.radius) ? Json() : Json(robustness.squared.to_string());
   if (found.best) json["at_most"] = found.best->at_most, json["exact"] = found.best->exact;
-  json["ways"] = ways_json(robustness.ways);
+  json["ways"] = moves_json(robustness.ways);
   return json;
 }
 
@@ -83,7 +83,7 @@ void print_found(std::ostream& out, const RobustnessCommand& command, const std:
     if (!found.best->exact) out << " than " << Json(found.best->at_most).dump();
     out << "\n";
   }
-  out << ways_text(robustness.ways, p, q);
+  out << moves_text(robustness.ways, p, q);
 }
 
 ExitCode run_robustness(const RobustnessCommand& command) {

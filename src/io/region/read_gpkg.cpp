@@ -83,7 +83,7 @@ class GpkgReader {
       if (selected_->find_first_not_of("0123456789") != std::string::npos || selected_->empty())
         fail("no layer " + in_quotes(*selected_) + ": there are " + names_of_all(layers));
     }
-    // A registered layer without a table, as deleted ones leave behind, has no rows; alone it is a fault.
+    // A registered layer without a table, as deleting tables leaves it, has no rows; alone it is a fault.
     const auto missing = [](const Layer& layer) { return layer.kind == Layer::Kind::missing; };
     if (std::all_of(layers.begin(), layers.end(), missing)) there(layers.front());
     std::vector<NamedShape> shapes;
@@ -140,7 +140,7 @@ class GpkgReader {
       Query(database_, "SELECT rowid FROM " + quoted_name(layer.table) + " LIMIT 0");
       return true;
     } catch (const DatabaseFailure&) {
-      return false;  // anything else that is wrong with the table is told by the query of its rows
+      return false;  // the query of its rows reports anything else that is wrong with the table
     }
   }
 

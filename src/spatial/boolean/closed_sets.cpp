@@ -414,7 +414,7 @@ void add_meetings(const Line& s, const Line& other, std::vector<BigRational>& cu
   };
   add(other[0]), add(other[1]);
   if (other[0] == other[1]) return;
-  // s0 + t u = o + w v: of the three equations two with a determinant tell t, and the third whether they meet.
+  // s0 + t u = o + w v: two of the three equations with a determinant give t, and the third whether they meet.
   std::array<BigRational, 3> u, v, d;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     u[axis] = s[1][axis] - s[0][axis], v[axis] = other[1][axis] - other[0][axis];

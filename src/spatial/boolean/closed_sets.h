@@ -30,7 +30,7 @@ struct ClosedOperands {
   /// Of each set: its regular triangles, those of its thin faces (each once), and thin segments and points.
   struct Set {
     std::uint32_t first = 0, last = 0;            ///< of the surface's triangles
-    std::uint32_t first_thin = 0, last_thin = 0;  ///< of them: fronts and backs by turns
+    std::uint32_t first_thin = 0, last_thin = 0;  ///< of them: each front, then its back
     std::vector<std::array<ExactPosition, 2>> segments;
     std::vector<SolidFeature> segment_names;
     std::vector<ExactPosition> points;
@@ -43,7 +43,7 @@ struct ClosedOperands {
   exact::BigRational scale = 1;
 };
 
-/// Triangles of all of them, those of sets from `first_taken` on turned over. Faces and vertices are counted on from
+/// Triangles of all of them, those of sets from `first_taken` on inside out. Faces and vertices are counted on from
 /// set to set; of results triangles are faces. O(n log n).
 ClosedOperands closed_operands(std::span<const OperandSet> sets, std::size_t first_taken, CommonGrid& grid);
 

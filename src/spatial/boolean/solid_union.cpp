@@ -368,7 +368,7 @@ namespace {
 
 using spatial::SetOperation;
 
-/// The winding numbers that are inside of the result of so many sets, those that are taken away turned inside out.
+/// The winding numbers that are inside of the result of so many sets, those that are taken away being inside out.
 InsideRule rule_of(SetOperation operation, std::size_t sets) {
   switch (operation) {
     case SetOperation::intersection:

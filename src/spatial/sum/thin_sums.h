@@ -22,7 +22,7 @@ struct ThinSum {
 };
 
 /// Adds segments, with those that the sum has, as tight segments, each as long as its line allows, and points that lie
-/// on none of them as tight points. `sources` tell what touches on those that are new. Positions are in the units of
+/// on none of them as tight points. `sources` have what touches on those that are new. Positions are in the units of
 /// the sum's. O(k^2) for k segments, points and sources.
 void add_tight_lines(SpatialSum& sum, std::vector<ThinSum> sources, std::vector<std::array<ExactPosition, 2>> segments,
                      std::vector<ExactPosition> points);
