@@ -37,6 +37,9 @@ void bind_region_readers(nb::module_& m) {
       "names_region", [](const PathArgument& path) { return names_region(path.text); }, "path"_a,
       "Whether the path's extension is that of a format of regions.");
   m.def(
+      "file_of_shape", [](const PathArgument& path) { return file_of_shape(path.text); }, "path"_a,
+      "The file in a path that may name a shape of it after a \"#\".");
+  m.def(
       "begins_like_dxf", [](const std::string& text) { return begins_like_dxf(text); }, "text"_a,
       "Whether a text begins as .dxf files do; other formats never do.");
   m.def(
