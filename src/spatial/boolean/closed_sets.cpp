@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <mutex>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "spatial/mesh/vec3.h"
@@ -241,7 +243,7 @@ class TightParts {
         space_(*boundary.space),
         arrangement_(*boundary.arrangement),
         table_(boundary.table),
-        sides_(operands),
+        boundary_(boundary.boundary),
         regular_(regular),
         watch_(watch) {}
 
@@ -250,6 +252,7 @@ class TightParts {
     TightFeatures result;
     is_tight_.assign(arrangement_.cell_count, 0);
     in_mixed_groups([&](const PlaneGroup& group, std::uint32_t c) {
+      if (boundary_[group.first_cell + c]) return;
       is_tight_[group.first_cell + c] = is_tight(inside_cell(group, group.cells.cells[c]));
     });
     for (std::uint32_t c = 0; c < arrangement_.cell_count; ++c)
@@ -274,10 +277,16 @@ class TightParts {
   }
   static std::uint32_t both(std::uint32_t a, std::uint32_t b) { return a == kNoId || a == b ? b : kMixed; }
 
+  /// Made when the first position is looked up: mostly none is.
+  struct Lookup {
+    Sides sides;
+    ExactLocator regular;
+  };
   bool is_tight(const ExactPosition& x) const {
+    std::call_once(once_, [&] { lookup_.emplace(Lookup{Sides(operands_), ExactLocator(regular_)}); });
     std::vector<Side> sides;
-    sides_.of(x, sides);
-    return is_between(operation_, sides) && regular_.of(x) != ExactLocator::Where::boundary;
+    lookup_->sides.of(x, sides);
+    return is_between(operation_, sides) && lookup_->regular.of(x) != ExactLocator::Where::boundary;
   }
 
   template <class F>
@@ -336,6 +345,8 @@ class TightParts {
     for (std::uint32_t e = 0; e < count; ++e)
       if (tight[e]) result.segments.push_back(arrangement_.edge_ends[e]);
   }
+  /// What such a cell ends in is tight with it, or on the boundary of the regular result.
+  bool is_settled(std::uint32_t cell) const { return is_tight_[cell] != 0 || boundary_[cell]; }
   bool is_tight_edge(std::uint32_t edge) const {
     std::uint32_t owner = kNoId;
     for (const EdgeUse use : arrangement_.uses(edge)) {
@@ -343,7 +354,7 @@ class TightParts {
       if (owner_[use.group] != kNoId) owner = both(owner, owner_[use.group]);
       const CellEdge& e = group.cells.edges[use.edge];
       for (const std::uint32_t c : {e.left, e.right})
-        if (c != kNoId && is_tight_[group.first_cell + c]) return false;
+        if (c != kNoId && is_settled(group.first_cell + c)) return false;
     }
     if (owner != kMixed) return false;
     const auto [a, b] = arrangement_.edge_ends[edge];
@@ -353,7 +364,7 @@ class TightParts {
   void find_points(TightFeatures& result) {
     const std::size_t count = arrangement_.points.size();
     std::vector<std::uint32_t> owner(count, kNoId);
-    std::vector<std::uint8_t> held(count);  // by a tight cell or segment
+    std::vector<std::uint8_t> held(count);  // by a cell of the boundary, a tight cell or a tight segment
     for (std::uint32_t g = 0; g < arrangement_.groups.size(); ++g) {
       const PlaneGroup& group = arrangement_.groups[g];
       if (owner_[g] == kNoId) continue;  // a sheet
@@ -363,7 +374,7 @@ class TightParts {
           const PointId at = arrangement_.point(group, id);
           add(at);
           for (const std::uint32_t c : {e.left, e.right})
-            if (c != kNoId && is_tight_[group.first_cell + c]) held[at] = 1;
+            if (c != kNoId && is_settled(group.first_cell + c)) held[at] = 1;
         }
       for (const PlaneCells::Touch& touch : group.cells.touches) add(arrangement_.point(group, touch.at));
     }
@@ -383,8 +394,10 @@ class TightParts {
   const SumSpace& space_;
   const SolidArrangement& arrangement_;
   const FacetTable& table_;
-  Sides sides_;
-  ExactLocator regular_;
+  const std::vector<bool>& boundary_;  // per cell: of the regular result
+  const SpatialSum& regular_;
+  mutable std::once_flag once_;
+  mutable std::optional<Lookup> lookup_;
   StageWatch& watch_;
   std::vector<std::uint32_t> owner_;    // per group
   std::vector<std::uint8_t> is_tight_;  // per cell
